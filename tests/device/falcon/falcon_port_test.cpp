@@ -316,29 +316,33 @@ TEST(FalconPort, a_press_in_the_tick_of_the_screens_choice_leaves_both_with_one_
   }
 }
 
+/// Its weight is calibrated, its grip rests in the middle, and the ramp is over.
+struct WeightBench : Bench {
+  static constexpr falcon::GravityCalibration kWeight{0.2, 0.003};
+  static FalconSettings weighed() {
+    FalconSettings out;
+    out.gravity = kWeight;
+    return out;
+  }
+  WeightBench() : Bench({.firmware_running = true}, weighed()) {
+    EXPECT_TRUE(port->open());
+    EXPECT_TRUE(home());
+    falcon.set_grip({0, 0, 0.125});
+    for (int i = 0; i < 700; ++i) tick();
+  }
+};
+
 TEST(FalconPort, carries_the_weight_that_was_calibrated) {
-  FalconSettings settings;
-  settings.gravity = {0.2, 0.003};
-  Bench bench({.firmware_running = true}, settings);
-  ASSERT_TRUE(bench.port->open());
-  ASSERT_TRUE(bench.home());
-  bench.falcon.set_grip({0, 0, 0.125});
-  for (int i = 0; i < 700; ++i) bench.tick();
+  WeightBench bench;
   const auto legs = falcon::inverse({}, {0, 0, 0.125});
   const falcon::Pose pose{{0, 0, 0.125}, *legs, *falcon::jacobian({}, *legs)};
-  const Vec3 due = falcon::force_n(pose.rows, falcon::gravity_torque_nm({}, pose, settings.gravity));
+  const Vec3 due = falcon::force_n(pose.rows, falcon::gravity_torque_nm({}, pose, WeightBench::kWeight));
   EXPECT_GT(due.y, 1.0);
   EXPECT_LT(glm::length(bench.falcon.force_n(bench.link->now()) - due), 5e-3);
 }
 
 TEST(FalconPort, carries_the_weight_by_a_ramp_once_a_fault_is_over) {
-  FalconSettings settings;
-  settings.gravity = {0.2, 0.003};
-  Bench bench({.firmware_running = true}, settings);
-  ASSERT_TRUE(bench.port->open());
-  ASSERT_TRUE(bench.home());
-  bench.falcon.set_grip({0, 0, 0.125});
-  for (int i = 0; i < 700; ++i) bench.tick();
+  WeightBench bench;
   const double carried_n = glm::length(bench.falcon.force_n(bench.link->now()));
   EXPECT_GT(carried_n, 1.0);
   for (int i = 0; i < 700; ++i) bench.tick({.faulted = true});  // held until the student resumes
