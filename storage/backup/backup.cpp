@@ -283,7 +283,10 @@ Stored<void> take_back(const fs::path& folder, const fs::path& file) {
   return {};
 }
 
-Stored<fs::path> restore_in_place(const Backup& backup, const fs::path& file, std::int64_t utc_us, const FinishRestored& finish) {
+Stored<fs::path> restore_in_place(const Backup& backup, const fs::path& name, std::int64_t utc_us, const FinishRestored& finish) {
+  std::error_code ignored;
+  // A link that was moved would leave the damaged files where they are, and leads nowhere from another folder.
+  const fs::path file = fs::is_symlink(name, ignored) ? behind_links(name) : name;
   fs::path aside;
   const auto take_place = [&](const fs::path& fresh) -> Stored<void> {
     const ProcessMark mark(lock_of_half_done(fresh));

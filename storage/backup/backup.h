@@ -51,8 +51,8 @@ using FinishRestored = std::function<Stored<void>(const std::filesystem::path& d
 Stored<void> restore_backup(const Backup& backup, const std::filesystem::path& file, const FinishRestored& finish = {});
 /// The same where a database stands that cannot be read: it moves as by put_aside() once the copy is whole, so that a program that is
 /// killed before leaves it in its place; after one that is killed later, Store::open() finishes. Returns the folder that holds it. busy if
-/// a connection of any process uses the file. After a failure all is where it was.
-Stored<std::filesystem::path> restore_in_place(const Backup& backup, const std::filesystem::path& file, std::int64_t utc_us,
+/// a connection of any process uses the file. After a failure all is where it was. Follows links.
+Stored<std::filesystem::path> restore_in_place(const Backup& backup, const std::filesystem::path& name, std::int64_t utc_us,
                                                const FinishRestored& finish);
 /// Moves a database that cannot be read, with its log, index, key and counter, to a new folder beside it; nothing is deleted. Returns
 /// the folder, "station.db-damaged-2026-11-20T09-14-03Z". busy and failures as above.

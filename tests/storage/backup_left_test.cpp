@@ -96,6 +96,22 @@ TEST_F(BackupLeftTest, takes_no_place_of_records_that_a_connection_still_uses) {
   EXPECT_TRUE(fs::exists(must(restore_in_place(backup, file, *now, {})) / "a.db"));
 }
 
+TEST_F(BackupLeftTest, takes_the_place_of_the_file_that_a_link_leads_to) {
+  const Backup backup = make();
+  const fs::path real = folder / "disk" / "b.db", link = folder / "b.db";
+  fs::create_directories(real.parent_path());
+  must(restore_backup(backup, real));
+  fs::create_symlink("disk/b.db", link);
+  const auto half = fs::file_size(real) / 2;
+  fs::resize_file(real, half);
+  const fs::path aside = must(restore_in_place(backup, link, *now, {}));
+  EXPECT_TRUE(fs::equivalent(aside.parent_path(), real.parent_path()));
+  EXPECT_EQ(fs::file_size(aside / "b.db"), half);
+  EXPECT_TRUE(fs::exists(aside / "b.db.key"));
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_TRUE(must(verify_store(open(link, quick(now))->context())).intact());
+}
+
 /// A restore in place that is killed once nothing stands at the database's name any more: its first file takes its name by a hard link.
 struct RestoreKilled : BackupLeftTest {
   const Account lena = make_student(*store);
