@@ -3243,6 +3243,18 @@
         <source>Only one exercise file can be opened, and %1 is another.</source>
         <translation>Nur eine Übungsdatei kann geöffnet werden, und %1 ist eine weitere.</translation>
     </message>
+    <message>
+        <source>%1 has no effect: %2 is a specimen’s volume already. Only --turn changes it.</source>
+        <translation>%1 bewirkt nichts: %2 ist schon das Volumen eines Präparats. Nur --turn verändert es.</translation>
+    </message>
+    <message>
+        <source>%1 has no effect on a volume, only on meshes.</source>
+        <translation>%1 wirkt nicht auf ein Volumen, nur auf Netze.</translation>
+    </message>
+    <message>
+        <source>%1 has no effect on meshes, only on a volume.</source>
+        <translation>%1 wirkt nicht auf Netze, nur auf ein Volumen.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
@@ -10921,10 +10933,6 @@ Ihr bester davor</translation>
         <translation>Das Gerät antwortet nicht</translation>
     </message>
     <message>
-        <source>The force is off and the clock stands still. Plug it in again, then resume.</source>
-        <translation>Die Kraft ist aus und die Uhr steht. Wieder anschließen, dann fortsetzen.</translation>
-    </message>
-    <message>
         <source>The device answers again</source>
         <translation>Das Gerät antwortet wieder</translation>
     </message>
@@ -10995,6 +11003,10 @@ Ihr bester davor</translation>
     <message>
         <source>The force is off and the clock stands still. Leave, and start Cusp anew: an attempt that is kept then goes on from here.</source>
         <translation>Die Kraft ist aus und die Uhr steht. Verlassen Sie den Versuch und starten Sie Cusp neu: Ein Versuch, der aufbewahrt wird, geht dann von hier aus weiter.</translation>
+    </message>
+    <message>
+        <source>The force is off and the clock stands still. Plug it in again where it was, then resume.</source>
+        <translation>Die Kraft ist aus und die Uhr steht. Am selben Anschluss wieder anschließen, dann fortsetzen.</translation>
     </message>
 </context>
 <context>
