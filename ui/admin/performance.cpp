@@ -209,6 +209,7 @@ Region Performance::target_of(const HistoryFilter& shown) {
 void Performance::fetch_for_order(int column, Qt::SortOrder order) {
   if (column == AttemptsModel::kDate && order == Qt::DescendingOrder) return;
   while (model_->canFetchMore() && model_->rowCount() < kMostSorted) model_->fetchMore();
+  if (model_->failed()) return table_->sortByColumn(AttemptsModel::kDate, Qt::DescendingOrder);  // what is missing may stand first
   if (!model_->canFetchMore()) return;
   band_->show_message(Band::Kind::look, tr("Too many attempts for another order than the newest first."),
                       tr("Up to %1 can be sorted: choose an exercise, a student or a period.").arg(format_number(kMostSorted, 0)));

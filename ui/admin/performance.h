@@ -82,7 +82,8 @@ class Performance : public QWidget, public Rereads, public AtWork {
   /// The versions of the chosen exercise.
   void fill_versions();
   std::optional<HistoryPage> page(const HistoryFilter& filter, const std::optional<HistoryKey>& after);
-  /// Fetches the rest of the attempts for another order than the newest first; with too many it keeps that order and says so.
+  /// Fetches the rest of the attempts for another order than the newest first; with too many, or if a page fails, it keeps that order
+  /// and says so.
   void fetch_for_order(int column, Qt::SortOrder order);
   /// The target of the filter's exercise in its version, else in its newest one that can be read; for the titles of several.
   Region target_of(const HistoryFilter& shown);

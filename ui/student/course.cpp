@@ -228,6 +228,7 @@ void AttemptsModel::set_rows(std::vector<HistoryRow> rows) {
   rows_ = std::move(rows);
   decimals_ = decimals_of_rows();
   after_.reset();
+  failed_ = false;
   endResetModel();
 }
 void AttemptsModel::set_pages(HistoryPage first, Fetch fetch) {
@@ -235,20 +236,27 @@ void AttemptsModel::set_pages(HistoryPage first, Fetch fetch) {
   rows_ = std::move(first.rows);
   decimals_ = decimals_of_rows();
   after_ = first.after;
+  failed_ = false;
   fetch_ = std::move(fetch);
   endResetModel();
 }
-bool AttemptsModel::canFetchMore(const QModelIndex& parent) const { return !parent.isValid() && after_; }
+bool AttemptsModel::canFetchMore(const QModelIndex& parent) const { return !parent.isValid() && after_ && !failed_; }
 void AttemptsModel::fetchMore(const QModelIndex& parent) {
   if (!canFetchMore(parent)) return;
   auto page = fetch_(*after_);
-  after_ = page ? page->after : std::nullopt;
-  if (!page || page->rows.empty()) return;
+  failed_ = !page;
+  if (!page) return;
+  after_ = page->after;
+  if (page->rows.empty()) return;
   beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(page->rows.size()) - 1);
   std::ranges::move(page->rows, std::back_inserter(rows_));
   endInsertRows();
   const int before = std::exchange(decimals_, decimals_of_rows());
   if (decimals_ != before) Q_EMIT dataChanged(index(0, kScore), index(rowCount() - 1, kScore));
+}
+void AttemptsModel::fetch_again() {
+  failed_ = false;
+  fetchMore();
 }
 int AttemptsModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(rows_.size()); }
 int AttemptsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }

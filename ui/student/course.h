@@ -75,12 +75,16 @@ class AttemptsModel : public QAbstractTableModel {
  public:
   enum Column { kDate, kStudent, kExercise, kAttempt, kScore, kResult, kTime, kDevice, kOpen, kColumns };
   explicit AttemptsModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
-  /// Reads the page after a key; nullopt if that failed: no further page is then asked for.
+  /// Reads the page after a key; nullopt if that failed: no further page is then asked for before fetch_again().
   using Fetch = std::function<std::optional<HistoryPage>(const HistoryKey& after)>;
   void set_rows(std::vector<HistoryRow> rows);
   void set_pages(HistoryPage first, Fetch fetch);
   bool canFetchMore(const QModelIndex& parent = {}) const override;
   void fetchMore(const QModelIndex& parent = {}) override;
+  /// The newest page could not be read: rows are missing after the last one.
+  bool failed() const { return failed_; }
+  /// Asks for the page that failed.
+  void fetch_again();
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
@@ -93,6 +97,7 @@ class AttemptsModel : public QAbstractTableModel {
   std::vector<HistoryRow> rows_;
   int decimals_ = 0;                 // of the column kScore
   std::optional<HistoryKey> after_;  // none: all rows are here
+  bool failed_ = false;
   Fetch fetch_;
 };
 

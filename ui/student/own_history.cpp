@@ -3,6 +3,7 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <algorithm>
 
@@ -46,6 +47,7 @@ OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent)
   }
   make_choice(*scenarios);
   head->buttons()->addWidget(exercise_);
+  outer->addWidget(make_unread());
   charted_ = make_label({}, TextRole::body, Weight::bold);
   charted_->setWordWrap(true);
   outer->addWidget(charted_);
@@ -78,6 +80,18 @@ void OwnHistory::offer(std::vector<PractisedScenario> scenarios) {
   exercise_->addItem(tr("All exercises"));
   for (const PractisedScenario& s : scenarios) exercise_->addItem(local(s.title), QString::fromStdString(s.scenario.text()));
   exercise_->setCurrentIndex(chosen.isValid() ? std::max(0, exercise_->findData(chosen)) : 0);
+}
+
+Band* OwnHistory::make_unread() {
+  unread_ = new Band;
+  QPushButton* again = make_button(tr("Try again"), ButtonKind::standard, u"refresh"_qs);
+  unread_->ways_out()->addWidget(again);
+  connect(again, &QPushButton::clicked, this, [this] {
+    table_->setFocus();  // the button goes
+    unread_->clear();
+    model_->fetch_again();
+  });
+  return unread_;
 }
 
 QBoxLayout* OwnHistory::make_charts() {
@@ -121,9 +135,11 @@ HistoryFilter OwnHistory::filter() const {
 void OwnHistory::show_attempts() {
   const auto page_after = [this, own = filter()](const HistoryKey& after) -> std::optional<HistoryPage> {
     auto page = store_.history.page(student_, own, after, kAttemptsAtOnce);
-    if (!page) return std::nullopt;
-    return std::move(*page);
+    if (page) return std::move(*page);
+    unread_->show_message(Band::Kind::bad, tr("Older attempts are not shown: they could not be read."), describe(page.error()).line());
+    return std::nullopt;
   };
+  unread_->clear();
   auto first = store_.history.page(student_, filter(), std::nullopt, kAttemptsAtOnce);
   if (!first) return show_failure(describe(first.error()));
   if (first->rows.empty()) return;

@@ -14,6 +14,7 @@ class QLabel;
 
 namespace cusp::ui {
 
+class Band;
 class Chart;
 class Table;
 
@@ -33,6 +34,7 @@ class OwnHistory : public QWidget, public Rereads {
  private:
   void make_choice(std::vector<PractisedScenario> scenarios);
   void offer(std::vector<PractisedScenario> scenarios);
+  Band* make_unread();
   QBoxLayout* make_charts();
   void make_table();
   void show_attempts();
@@ -44,6 +46,7 @@ class OwnHistory : public QWidget, public Rereads {
   AttemptsModel* model_ = nullptr;
   Table* table_ = nullptr;
   QComboBox* exercise_ = nullptr;
+  Band* unread_ = nullptr;  // shows after a further page that could not be read
   QLabel* charted_ = nullptr;  // the device of the charts, and their exercise while the table lists all
   Chart *by_attempt_ = nullptr, *by_time_ = nullptr;
   Chart* by_rating_ = nullptr;  // its card shows with an attempt that was rated

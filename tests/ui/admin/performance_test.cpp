@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -141,6 +142,20 @@ TEST_F(AdminPages, performance_fetches_as_one_scrolls_and_all_for_another_order)
   QObject::connect(&page, &Performance::report_wanted, [&](const SessionId& id) { wanted = id; });
   QTest::keyClick(page.table(), Qt::Key_Return);
   EXPECT_EQ(wanted, worst);
+}
+
+TEST_F(AdminPages, performance_of_which_a_page_cannot_be_read_stays_newest_first_and_says_so) {
+  const Account lena = records.student("1", "Lena Brandt");
+  for (int i = 0; i < kAttemptsAtOnce + 1; ++i) records.attempt(lena, "channel-1", 50, 1);
+  ports.now = [this] { return QDateTime::fromMSecsSinceEpoch(records.now_us / 1000, Qt::UTC); };
+  Performance page(records.store(), records.administrator().actor(), ports);
+  ASSERT_EQ(page.attempts().rowCount(), kAttemptsAtOnce);
+  ASSERT_TRUE(records.store().database().run("DROP INDEX summaries_by_time"));  // no list of all is read without it
+  page.show();
+  page.table()->sortByColumn(AttemptsModel::kScore, Qt::AscendingOrder);
+  EXPECT_TRUE(page.attempts().failed());
+  EXPECT_TRUE(page.findChild<Band*>()->isVisible());
+  EXPECT_EQ(page.table()->horizontalHeader()->sortIndicatorSection(), AttemptsModel::kDate) << "the worst may be missing";
 }
 
 TEST_F(AdminPages, a_message_about_other_filters_goes_when_they_change) {

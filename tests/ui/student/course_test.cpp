@@ -149,6 +149,28 @@ TEST(AttemptsModel, fetches_the_next_page_when_asked_and_stops_after_the_last_an
   model.fetchMore();
   EXPECT_EQ(model.rowCount(), 3);
   EXPECT_FALSE(model.canFetchMore());
+  EXPECT_TRUE(model.failed());
+  model.set_rows(rows(1));
+  EXPECT_FALSE(model.failed()) << "these are all";
+}
+
+TEST(AttemptsModel, asks_again_for_the_page_that_failed) {
+  const auto rows = [](int n) { return std::vector<HistoryRow>(static_cast<std::size_t>(n)); };
+  AttemptsModel model;
+  std::vector<std::int64_t> asked;
+  model.set_pages({rows(3), HistoryKey{5}}, [&](const HistoryKey& after) -> std::optional<HistoryPage> {
+    asked.push_back(after.started_utc_us);
+    if (asked.size() == 1) return std::nullopt;
+    return HistoryPage{rows(2), HistoryKey{4}};
+  });
+  model.fetchMore();
+  model.fetchMore();
+  EXPECT_EQ(asked.size(), 1u) << "a list that scrolls asks no more";
+  model.fetch_again();
+  EXPECT_EQ(asked, (std::vector<std::int64_t>{5, 5}));
+  EXPECT_EQ(model.rowCount(), 5);
+  EXPECT_FALSE(model.failed());
+  EXPECT_TRUE(model.canFetchMore());
 }
 
 TEST(AttemptsModel, shows_the_points_of_every_row_with_the_same_decimals_also_once_a_later_page_needs_them) {

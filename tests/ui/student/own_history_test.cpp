@@ -14,6 +14,7 @@
 #include "tests/ui/desk_records.h"
 #include "ui/student/own_history.h"
 #include "ui/widgets/chart.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::test {
@@ -96,6 +97,32 @@ TEST_F(OwnResults, that_cannot_be_read_leave_no_rows_of_another_exercise) {
   for (const QLabel* label : page.findChildren<QLabel*>()) says = says || label->text() == describe(refused.error()).line();
   EXPECT_TRUE(says);
   for (const Chart* chart : page.findChildren<Chart*>()) EXPECT_FALSE(chart->isVisible());
+}
+
+TEST_F(OwnResults, of_which_an_older_page_cannot_be_read_say_so_and_read_it_again) {
+  const Account lena = records.student("1", "Lena Brandt");
+  for (int i = 0; i < kAttemptsAtOnce + 1; ++i) records.attempt(lena, "channel-1", 60, 1);
+  OwnHistory page(records.store(), lena.actor());
+  auto* rows = page.table()->model();
+  ASSERT_EQ(rows->rowCount(), kAttemptsAtOnce);
+  ASSERT_TRUE(records.store().database().run("DROP INDEX summaries_of_student"));  // no list is read without it
+  rows->fetchMore({});
+  page.show();
+  EXPECT_EQ(rows->rowCount(), kAttemptsAtOnce) << "those that were read stay";
+  auto* unread = page.findChild<Band*>();
+  ASSERT_NE(unread, nullptr);
+  EXPECT_TRUE(unread->isVisible());
+  EXPECT_TRUE(unread->text().contains(QStringLiteral("Older attempts are not shown"))) << unread->text().toStdString();
+  auto* again = unread->findChild<QPushButton*>();
+  ASSERT_NE(again, nullptr);
+  again->click();
+  EXPECT_TRUE(unread->isVisible()) << "it failed once more";
+  ASSERT_TRUE(records.store().database().run(
+      "CREATE INDEX summaries_of_student ON session_summaries "
+      "(student, listed, started_at, sequence, session, scenario, device_class, passed, operator, kind)"));
+  again->click();
+  EXPECT_FALSE(unread->isVisible());
+  EXPECT_EQ(rows->rowCount(), kAttemptsAtOnce + 1);
 }
 
 TEST_F(OwnResults, without_an_attempt_offer_the_exercises) {
