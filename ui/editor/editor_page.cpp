@@ -22,6 +22,7 @@
 #include "ui/editor/specimen_form.h"
 #include "ui/editor/target_view.h"
 #include "ui/editor/texts_form.h"
+#include "ui/render/opengl_allowed.h"
 #include "ui/text/language.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
@@ -178,8 +179,9 @@ void EditorPage::follow_model() {
   show_title();
   show_version();
   const EditorModel::Standing standing = model_->standing();
-  try_->setEnabled(grown_ != nullptr && !has_error(model_->findings()));
-  reference_->setEnabled(try_->isEnabled() && !reference_job_->running());
+  const bool whole = grown_ != nullptr && !has_error(model_->findings());
+  try_->setEnabled(whole && opengl_allowed());
+  reference_->setEnabled(whole && !reference_job_->running());
   tooth_->setText(isolate(specimen_name(s.specimen)));
   const bool drawn = model_->has_outline();
   on_top_->setEnabled(grown_ != nullptr && s.target.kind == RegionKind::outline);

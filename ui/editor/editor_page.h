@@ -49,7 +49,7 @@ class EditorPage : public QWidget {
   const std::shared_ptr<const GrownSpecimen>& grown() const { return grown_; }
 
  public Q_SLOTS:
-  /// Starts an attempt at the draft as it stands, of which nothing is kept.
+  /// Starts an attempt at the draft as it stands, of which nothing is kept. After forbid_opengl() its button is disabled.
   void try_out();
   /// Lets the reference operator cut the draft at once, and asks for the report of it.
   void try_out_by_reference();

@@ -6,8 +6,10 @@
 #include "ui/editor/editor_page.h"
 #include "ui/editor/operator_job.h"
 #include "ui/editor/target_view.h"
+#include "ui/render/opengl_allowed.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/parts.h"
 
@@ -16,6 +18,10 @@ namespace cusp::ui {
 /// By the author's own hand, and by the reference operator.
 void EditorPage::add_try_outs(QHBoxLayout& row) {
   try_ = make_button(tr("Try out"), ButtonKind::standard, u"hand"_qs, QKeySequence(Qt::Key_F5));
+  if (!opengl_allowed()) {
+    try_->setToolTip(ToothView::pictures_off());
+    try_->setAccessibleDescription(try_->toolTip());
+  }
   row.addWidget(try_);
   try_key_ = make_key_cap(u"F5"_qs);
   try_key_->setFixedHeight(px(18));

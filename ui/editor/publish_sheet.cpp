@@ -7,7 +7,9 @@
 #include <QScrollArea>
 
 #include "ui/modules.h"
+#include "ui/render/opengl_allowed.h"
 #include "ui/text/names.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
@@ -107,7 +109,9 @@ void PublishSheet::add_trial(QVBoxLayout& column) {
   auto* sign = new QLabel;
   sign->setPixmap(icon_pixmap(facts_.tried ? u"check"_qs : u"warning"_qs, facts_.tried ? Ink::good : Ink::look, 18, devicePixelRatioF()));
   row->addWidget(sign);
-  row->addWidget(line(facts_.tried ? tr("It was tried out as it is now.") : tr("It was not tried out since it was opened or changed.")), 1);
+  QString text = facts_.tried ? tr("It was tried out as it is now.") : tr("It was not tried out since it was opened or changed.");
+  if (!facts_.tried && !opengl_allowed()) text += u' ' + ToothView::pictures_off();
+  row->addWidget(line(text), 1);
   column.addLayout(row);
 }
 
@@ -122,6 +126,7 @@ void PublishSheet::add_buttons(QVBoxLayout& column) {
   if (!facts_.tried) {
     try_ = make_button(tr("Try out"), ButtonKind::standard, u"hand"_qs);
     try_->setAutoDefault(false);
+    try_->setEnabled(opengl_allowed());
     row->addWidget(try_);
     connect(try_, &QPushButton::clicked, this, [this] {
       reject();

@@ -19,7 +19,7 @@ class PublishSheet : public QDialog {
  public:
   PublishSheet(PublishFacts facts, const QString& title, const Ports& ports, QWidget* parent);
   QPushButton* publish() const { return publish_; }
-  QPushButton* try_out() const { return try_; }  // nullptr if it was tried out
+  QPushButton* try_out() const { return try_; }  // nullptr if it was tried out; disabled after forbid_opengl()
   /// Closes and emits publish_wanted(), after a question if nobody tried the exercise out.
   void accept() override;
 

@@ -9,6 +9,7 @@
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "tests/ui/editor/editor_pages.h"
 #include "tests/ui/report/sample_report.h"
 #include "ui/app/desktop.h"
 #include "ui/app/shell.h"
@@ -125,6 +126,23 @@ TEST_F(SafeStart, without_pictures_a_report_gives_the_reason_at_its_button_to_a_
   EXPECT_FALSE(again->isEnabled());
   EXPECT_TRUE(again->toolTip().contains(QStringLiteral("3D pictures are off"))) << again->toolTip().toStdString();
   EXPECT_EQ(again->accessibleDescription(), again->toolTip());
+}
+
+TEST_F(EditorPages, without_pictures_gives_the_reason_at_its_try_out_and_the_reference_operator_still_cuts) {
+  forbid_opengl();
+  const auto page = open();
+  const auto* by_author = named<QPushButton>(*page, "Try out");
+  ASSERT_NE(by_author, nullptr);
+  EXPECT_FALSE(by_author->isEnabled());
+  EXPECT_TRUE(by_author->toolTip().contains(QStringLiteral("3D pictures are off"))) << by_author->toolTip().toStdString();
+  EXPECT_EQ(by_author->accessibleDescription(), by_author->toolTip());
+  EXPECT_TRUE(named<QPushButton>(*page, "Try out by the reference operator")->isEnabled());
+  page->model().set_depth_mm(1.5);
+  EXPECT_FALSE(by_author->isEnabled());
+  ASSERT_TRUE(open_sheet(*page));
+  ASSERT_NE(sheet_of(*page)->try_out(), nullptr);
+  EXPECT_FALSE(sheet_of(*page)->try_out()->isEnabled());
+  EXPECT_TRUE(gives_reason(*sheet_of(*page)));
 }
 
 }  // namespace
