@@ -11,6 +11,12 @@ double way(std::int32_t from, std::int32_t to) noexcept {
   return std::abs(static_cast<double>(to) - static_cast<double>(from));
 }
 
+std::optional<FoundControl> between(const Control& control, std::int32_t released, std::int32_t pressed, double dead_zone) {
+  const auto calibration = PedalCalibration::from(released, pressed, control.kind == ControlKind::axis ? dead_zone : 0.0);
+  if (!calibration) return std::nullopt;
+  return FoundControl{control.id, control.kind, *calibration};
+}
+
 }  // namespace
 
 void PedalFinder::rest(const std::vector<Control>& controls) {
@@ -34,7 +40,7 @@ void PedalFinder::press(const std::vector<Control>& controls) {
   }
 }
 
-std::optional<FoundControl> PedalFinder::found(double dead_zone) const {
+const PedalFinder::Way* PedalFinder::best() const {
   const Way* best = nullptr;
   double best_share = 0;
   for (const Way& w : ways_) {
@@ -48,11 +54,26 @@ std::optional<FoundControl> PedalFinder::found(double dead_zone) const {
       best = &w;
     }
   }
-  if (best == nullptr) return std::nullopt;
-  const bool axis = best->rest.kind == ControlKind::axis;
-  const auto calibration = PedalCalibration::from(best->rest.value, best->furthest, axis ? dead_zone : 0.0);
-  if (!calibration) return std::nullopt;
-  return FoundControl{best->rest.id, best->rest.kind, *calibration};
+  return best;
+}
+
+std::optional<FoundControl> PedalFinder::found(double dead_zone) const {
+  const Way* moved = best();
+  if (moved == nullptr) return std::nullopt;
+  return between(moved->rest, moved->rest.value, moved->furthest, dead_zone);
+}
+
+std::optional<FoundControl> PedalFinder::released(const std::vector<Control>& controls, double dead_zone) const {
+  const Way* moved = best();
+  if (moved == nullptr) return std::nullopt;
+  const auto now = std::find_if(controls.begin(), controls.end(), [&](const Control& c) { return c.id == moved->rest.id; });
+  const bool known = now != controls.end() && now->reported;
+  if (!known && moved->rest.kind == ControlKind::axis) return std::nullopt;
+  const std::int32_t off = known ? now->value : 0;  // the controls omit keys that are up
+  const std::int32_t rest = moved->rest.value, pressed = moved->furthest;
+  if (way(rest, off) > kMostApart * way(rest, pressed)) return std::nullopt;
+  // The one nearer to the pressed end: at neither value the pedal drills.
+  return between(moved->rest, way(off, pressed) < way(rest, pressed) ? off : rest, pressed, dead_zone);
 }
 
 }  // namespace cusp::device::hid

@@ -1,4 +1,5 @@
-/// Finds the control that a foot moves, and its two ends: first the values at rest, then the values while pressed. Pure.
+/// Finds the control that a foot moves, and its two ends: first the values at rest, then the values while pressed, then those
+/// with the foot off again. Pure.
 #pragma once
 
 #include <optional>
@@ -18,6 +19,8 @@ class PedalFinder {
  public:
   /// Least movement of an axis, as a share of its range.
   static constexpr double kLeastWay = 0.2;
+  /// Most that the value with the foot off again is apart from the one at rest, as a share of the movement: a worn spring.
+  static constexpr double kMostApart = 0.2;
 
   /// Values with the foot off. Forgets earlier presses.
   void rest(const std::vector<Control>& controls);
@@ -25,12 +28,16 @@ class PedalFinder {
   void press(const std::vector<Control>& controls);
   /// The control that moved the most, an axis before a switch; nullopt if none moved enough.
   std::optional<FoundControl> found(double dead_zone = PedalCalibration::kUsualDeadZone) const;
+  /// The found control, of values with the foot off again; both values at rest are released. nullopt while it is apart from
+  /// where it rested: a foot is on it now, or was on it at rest(), and its ends would be the wrong way round.
+  std::optional<FoundControl> released(const std::vector<Control>& controls, double dead_zone = PedalCalibration::kUsualDeadZone) const;
 
  private:
   struct Way {
     Control rest;
     std::int32_t furthest = 0;
   };
+  const Way* best() const;
   std::vector<Way> ways_;
 };
 

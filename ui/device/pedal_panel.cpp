@@ -46,7 +46,7 @@ hid::ControlKind kind_of(const std::vector<hid::Control>& controls, hid::Control
 
 }  // namespace
 
-enum class PedalPanel::Lesson : std::uint8_t { none, rest, press, coolant };
+enum class PedalPanel::Lesson : std::uint8_t { none, rest, press, release, coolant };
 
 struct PedalPanel::Inner {
   explicit Inner(hid::PedalReader& r) : reader(r) {}
@@ -193,7 +193,8 @@ void PedalPanel::connect_lesson() {
       i.finder.rest(controls);
       return learn(Lesson::press);
     }
-    const auto found = i.finder.found(i.dead_zone->value() / 100.0);
+    if (i.lesson == Lesson::press) return learn(Lesson::release);
+    const auto found = i.finder.released(controls, i.dead_zone->value() / 100.0);
     if (!found || !i.view.device) return;
     i.settings.vendor = i.view.device->vendor;
     i.settings.product = i.view.device->product;
@@ -256,13 +257,14 @@ void PedalPanel::learn(Lesson lesson) {
   in.timer.setInterval(lesson == Lesson::none ? kPedalRefreshMs : kTeachMs);
   in.lesson_box->setVisible(lesson != Lesson::none);
   in.next->setVisible(lesson != Lesson::coolant);
-  in.next->setText(lesson == Lesson::press ? tr("Take it over") : tr("Next"));
+  in.next->setText(lesson == Lesson::release ? tr("Take it over") : tr("Next"));
   in.teach->setEnabled(lesson == Lesson::none);
   in.teach_coolant->setEnabled(lesson == Lesson::none);
   switch (lesson) {
     case Lesson::none: break;
     case Lesson::rest: in.task->setText(tr("Press the pedal once, release it, and take the foot off.")); break;
-    case Lesson::press: in.task->setText(tr("Press the pedal all the way down.")); break;
+    case Lesson::press: in.task->setText(tr("Press the pedal all the way down and hold it.")); break;
+    case Lesson::release: in.task->setText(tr("Take the foot off the pedal.")); break;
     case Lesson::coolant: in.task->setText(tr("Press the switch that runs the coolant.")); break;
   }
   if (lesson != Lesson::none) announce(this, in.task->text());
@@ -340,6 +342,13 @@ void PedalPanel::show_lesson() {
     } else if (in.lesson == Lesson::rest) {
       in.heard->hide();
       in.next->setEnabled(true);
+    } else if (in.lesson == Lesson::release) {
+      const auto back = in.finder.released(view.controls);
+      in.heard->show();
+      in.heard->setText(back ? tr("It is: %1").arg(control_name(back->id, back->kind))
+                             : tr("The pedal is not back where it rested. If the foot is off, the pedal was pressed at the first "
+                                  "step: cancel, and calibrate again."));
+      in.next->setEnabled(back.has_value());
     } else {
       in.finder.press(view.controls);
       const auto found = in.finder.found();
@@ -352,8 +361,12 @@ void PedalPanel::show_lesson() {
         }
       }
       in.heard->setVisible(true);
-      in.heard->setText(found ? tr("It is: %1").arg(control_name(found->id, found->kind)) : tr("Nothing has moved yet."));
-      in.next->setEnabled(found.has_value());
+      const bool back = in.lesson == Lesson::press && in.finder.released(view.controls);
+      in.heard->setText(!found ? tr("Nothing has moved yet.")
+                        : back ? tr("The pedal is back where it rested. If it is down, it was pressed at the first step: cancel, "
+                                    "and calibrate again.")
+                               : tr("It is: %1").arg(control_name(found->id, found->kind)));
+      in.next->setEnabled(found && !back);
     }
   }
 }

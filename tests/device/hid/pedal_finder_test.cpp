@@ -19,6 +19,10 @@ struct Lesson {
     state.take(report);
     finder.press(state.controls());
   }
+  std::optional<FoundControl> released(const Bytes& report) {
+    state.take(report);
+    return finder.released(state.controls());
+  }
   PedalState state;
   PedalFinder finder;
 };
@@ -61,6 +65,47 @@ TEST(PedalFinder, learns_the_axis_that_went_furthest_and_its_two_ends) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->id, (ControlId{usage::kDesktopPage, 0x31, 0}));
   EXPECT_EQ(found->calibration, *PedalCalibration::from(120, 10, 0.05));
+}
+
+TEST(PedalFinder, takes_a_switch_or_a_key_once_the_foot_is_off_again) {
+  Lesson pedal(test::vec_descriptor());
+  pedal.rest({0x00, 0x00});
+  EXPECT_FALSE(pedal.released({0x00, 0x00})) << "nothing has moved";
+  pedal.press({0x04, 0x00});
+  EXPECT_FALSE(pedal.released({0x04, 0x00}));
+  EXPECT_EQ(pedal.released({0x00, 0x00})->calibration, PedalCalibration::of_switch());
+  Lesson key(test::keyboard_descriptor());
+  key.rest({0, 0, 0, 0, 0, 0, 0, 0});
+  key.press({0, 0, 0x68, 0, 0, 0, 0, 0});
+  EXPECT_FALSE(key.released({0, 0, 0x68, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(key.released({0, 0, 0, 0, 0, 0, 0, 0})->calibration, PedalCalibration::of_switch());
+}
+
+TEST(PedalFinder, takes_no_switch_that_was_down_at_rest_but_one_that_opens_when_pressed) {
+  Lesson lesson(test::vec_descriptor());
+  lesson.rest({0x04, 0x00});
+  lesson.press({0x00, 0x00});
+  ASSERT_TRUE(lesson.finder.found());
+  EXPECT_FALSE(lesson.released({0x00, 0x00}));
+  EXPECT_EQ(lesson.released({0x04, 0x00})->calibration, *PedalCalibration::from(1, 0, 0.0));
+}
+
+TEST(PedalFinder, takes_an_axis_that_is_back_where_it_rested_and_lets_it_drill_at_neither_value) {
+  const auto y = [](std::uint8_t value) { return Bytes{0, 0, value}; };
+  Lesson lesson(test::rudder_descriptor());
+  lesson.rest(y(120));
+  lesson.press(y(20));
+  EXPECT_FALSE(lesson.released(y(20)));
+  EXPECT_FALSE(lesson.released(y(99))) << "21 of 100";
+  const auto worn = lesson.released(y(101));
+  ASSERT_TRUE(worn);
+  EXPECT_EQ(worn->calibration, *PedalCalibration::from(101, 20));
+  EXPECT_EQ(worn->calibration.pressed(120), 0);
+  EXPECT_EQ(lesson.released(y(127))->calibration, *PedalCalibration::from(120, 20)) << "a foot lay on it lightly at rest";
+  Lesson turned(test::rudder_descriptor());
+  turned.rest(y(20));  // the foot is on it
+  turned.press(y(120));
+  EXPECT_FALSE(turned.released(y(120)));
 }
 
 TEST(PedalFinder, an_axis_that_hardly_moved_was_not_meant) {

@@ -73,13 +73,18 @@ TEST_F(Panels, a_rheostat_is_calibrated_by_pressing_it_and_stays_so) {
   ASSERT_TRUE(shows(panel, "take the foot off"));
   button(panel, "Next")->click();
   ASSERT_TRUE(shows(panel, "all the way down"));
-  EXPECT_FALSE(button(panel, "Take it over")->isEnabled());
+  EXPECT_FALSE(button(panel, "Next")->isEnabled());
   desk.send(rudder, {0, 0, 20});
+  ASSERT_TRUE(eventually([&] { return button(panel, "Next")->isEnabled(); }));
+  button(panel, "Next")->click();
+  EXPECT_FALSE(button(panel, "Take it over")->isEnabled()) << "the foot is on it";
+  desk.send(rudder, {0, 0, 120});
   ASSERT_TRUE(eventually([&] { return button(panel, "Take it over")->isEnabled(); }));
   button(panel, "Take it over")->click();
   EXPECT_EQ(reader.settings().drill, (hid::ControlId{hid::usage::kDesktopPage, 0x31, 0}));
   EXPECT_EQ(reader.settings().calibration.released_raw(), 120);
   EXPECT_EQ(reader.settings().calibration.pressed_raw(), 20);
+  desk.send(rudder, {0, 0, 20});
   ASSERT_TRUE(eventually([&] { return reader.view().reading.pressed == 65535; }));
   panel.look();
   EXPECT_TRUE(shows(panel, "100"));
@@ -92,6 +97,38 @@ TEST_F(Panels, a_rheostat_is_calibrated_by_pressing_it_and_stays_so) {
     panel.look();
     return panel.summary() == "No foot pedal is connected";
   }));
+}
+
+TEST_F(Panels, a_foot_on_the_pedal_at_the_first_step_does_not_turn_its_ends_round) {
+  auto rudder = desk.plug("/dev/hidraw1", 0x06a3, 0x0763, test::rudder_descriptor());
+  hid::PedalReader reader(bus_of(desk));
+  reader.start();
+  PedalPanel panel(reader, &settings);
+  panel.show();
+  ASSERT_TRUE(eventually([&] {
+    panel.look();
+    return panel.findChild<QComboBox*>()->count() == 2;
+  }));
+  Q_EMIT panel.findChild<QComboBox*>()->activated(1);
+  ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
+  desk.send(rudder, {0, 0, 20});  // pressed
+  ASSERT_TRUE(eventually([&] { return reader.view().reports == 1; }));
+  panel.look();
+  button(panel, "Calibrate")->click();
+  button(panel, "Next")->click();
+  desk.send(rudder, {0, 0, 120});
+  ASSERT_TRUE(eventually([&] { return button(panel, "Next")->isEnabled(); }));
+  desk.send(rudder, {0, 0, 20});  // held down, as the step asks
+  ASSERT_TRUE(eventually([&] { return !button(panel, "Next")->isEnabled(); }));
+  EXPECT_TRUE(shows(panel, "If it is down, it was pressed at the first step"));
+  desk.send(rudder, {0, 0, 120});
+  ASSERT_TRUE(eventually([&] { return button(panel, "Next")->isEnabled(); }));
+  button(panel, "Next")->click();
+  EXPECT_FALSE(button(panel, "Take it over")->isEnabled());
+  EXPECT_TRUE(shows(panel, "If the foot is off, the pedal was pressed at the first step"));
+  button(panel, "Take it over")->click();
+  EXPECT_EQ(reader.settings().drill, hid::ControlId{}) << "nothing is taken over";
+  EXPECT_EQ(HidSettings(settings.file()).pedal().calibration, hid::PedalCalibration::of_switch());
 }
 
 TEST_F(Panels, a_known_pedal_needs_no_calibration_and_gets_a_switch_for_the_coolant) {
