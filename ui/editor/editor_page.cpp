@@ -129,6 +129,7 @@ EditorPage::~EditorPage() = default;
 bool EditorPage::publishing() const { return publish_wait_->running() && !proving_; }
 
 void EditorPage::show_tooth_form(bool on) {
+  if (left_in_tabs()) tabs_->setCurrentWidget(left_);
   left_->setCurrentIndex(on ? 1 : 0);
   stage_->set_shown(on ? TargetView::Shows::landmarks : TargetView::Shows::target);
   if (!on) return change_->setFocus();
@@ -167,9 +168,10 @@ void EditorPage::show_version() {
   version_->set(unchanged ? tr("Version %1, published").arg(model_->published()->version)
                           : tr("Version %1, not published").arg(s.version),
                 unchanged ? Chip::Kind::good : Chip::Kind::plain);
+  if (left_in_tabs()) version_->hide();  // set() shows it
   if (!publish_wait_->running()) {
-    publish_->setText(tr("Publish version %1").arg(s.version));
-    publish_->setAccessibleName(publish_->text());
+    publish_->setAccessibleName(tr("Publish version %1").arg(s.version));
+    publish_->setText(left_in_tabs() ? tr("Publish") : publish_->accessibleName());
   }
   publish_->setEnabled(model_->standing() == EditorModel::Standing::ready);
 }

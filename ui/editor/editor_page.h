@@ -87,8 +87,11 @@ class EditorPage : public QWidget {
   void take_typed();
   QWidget* make_top_bar();
   void add_try_outs(QHBoxLayout& row);
+  QWidget* make_panels();
   QWidget* make_left();
   QWidget* make_right();
+  void fit_left();
+  bool left_in_tabs() const;
   QWidget* make_checks();
   Band* make_clash();
   bool keep();
@@ -139,9 +142,11 @@ class EditorPage : public QWidget {
   QLineEdit* title_ = nullptr;
   Chip *version_ = nullptr, *checks_chip_ = nullptr;
   QToolButton *undo_ = nullptr, *redo_ = nullptr;
+  QPushButton* back_ = nullptr;
   QPushButton *try_ = nullptr, *reference_ = nullptr, *publish_ = nullptr, *stop_proof_ = nullptr, *show_ = nullptr, *change_ = nullptr, *on_top_ = nullptr;
   QLabel *check_title_ = nullptr, *check_aside_ = nullptr, *check_ = nullptr, *check_sign_ = nullptr, *tooth_ = nullptr, *try_key_ = nullptr;
-  QStackedWidget* left_ = nullptr;
+  QHBoxLayout* panels_ = nullptr;
+  QStackedWidget* left_ = nullptr;  // the first of panels_, or the last of tabs_
   QWidget* tooth_page_ = nullptr;  // of left_
   LaterForms forms_;
   QTabWidget* tabs_ = nullptr;

@@ -19,6 +19,7 @@
 #include "ui/editor/points_form.h"
 #include "ui/editor/shape_form.h"
 #include "ui/editor/specimen_form.h"
+#include "ui/editor/target_view.h"
 #include "ui/editor/tissues_form.h"
 #include "ui/editor/texts_form.h"
 #include "ui/session/audit_run.h"
@@ -52,21 +53,51 @@ void EditorPage::lay_out() {
   band_ = new Band;
   column->addWidget(band_);
   column->addWidget(make_clash());
-  auto* row = new QHBoxLayout;
-  row->setSpacing(0);
-  row->addWidget(make_left());
+  column->addWidget(make_panels(), 1);
+}
+
+QWidget* EditorPage::make_panels() {
+  auto* body = new QWidget;
+  body->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // fit_left() fits it to the window
+  body->setMinimumWidth(stage_->minimumWidth() + px(kRight));
+  panels_ = new QHBoxLayout(body);
+  panels_->setContentsMargins(0, 0, 0, 0);
+  panels_->setSpacing(0);
+  panels_->addWidget(make_left());
   auto* middle = new QVBoxLayout;
   middle->setSpacing(0);
   middle->addWidget(stage_, 1);
   middle->addWidget(make_checks());
-  row->addLayout(middle, 1);
-  row->addWidget(make_right());
-  column->addLayout(row, 1);
+  panels_->addLayout(middle, 1);
+  panels_->addWidget(make_right());
+  return body;
+}
+
+bool EditorPage::left_in_tabs() const { return tabs_->indexOf(left_) >= 0; }
+
+/// In a window too narrow for three panels the left one is a tab at the right, and the top bar keeps signs for texts.
+void EditorPage::fit_left() {
+  const bool into_tabs = width() < px(kLeft) + stage_->minimumWidth() + px(kRight);
+  if (into_tabs == left_in_tabs()) return;
+  if (into_tabs) {
+    left_->setMinimumWidth(0);
+    left_->setMaximumWidth(QWIDGETSIZE_MAX);
+    tabs_->addTab(left_, tr("Target"));
+  } else {
+    tabs_->removeTab(tabs_->indexOf(left_));
+    left_->setFixedWidth(px(kLeft));
+    panels_->insertWidget(0, left_);
+    left_->show();
+  }
+  back_->setText(into_tabs ? QString() : u' ' + tr("Library"));  // as make_button: the style leaves no space after the sign
+  back_->setShortcut(Qt::ALT | Qt::Key_Left);                    // a new text takes the shortcut away
+  show_version();
 }
 
 /// In a narrow window the try-outs keep sign, name and tooltip alone, and the checks their sum.
 void EditorPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  fit_left();
   const bool narrow = width() < px(kNarrow);
   try_->setText(narrow ? QString() : u' ' + tr("Try out"));  // as make_button: the style leaves no space after the sign
   try_->setShortcut(Qt::Key_F5);                             // a new text takes the shortcut away
@@ -83,9 +114,9 @@ void EditorPage::resizeEvent(QResizeEvent* event) {
 QWidget* EditorPage::make_top_bar() {
   const auto [bar, row] = make_bar_top();
   bar->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // resizeEvent() fits it to the window
-  QPushButton* back = add_way_back({bar, row}, tr("Library"));
-  back->setToolTip(tr("Keeps the draft and goes back (Alt+Left)"));
-  connect(back, &QPushButton::clicked, this, &EditorPage::leave);
+  back_ = add_way_back({bar, row}, tr("Library"));
+  back_->setToolTip(tr("Keeps the draft and goes back (Alt+Left)"));
+  connect(back_, &QPushButton::clicked, this, &EditorPage::leave);
   title_ = new QLineEdit;
   title_->setAccessibleName(tr("Title of the exercise"));
   title_->setToolTip(tr("Title, in the language of the screen; the others stand under Texts"));

@@ -1,5 +1,6 @@
-// The editor in narrow windows, in German: every tab in the one that full HD has at 200 %, and 1280 px at 150 %.
+// The editor in narrow windows, in German: every tab in the one that full HD has at 200 %, and 1280 px at 150 % and 200 %.
 
+#include <QPushButton>
 #include <QTabWidget>
 
 #include "tests/ui/editor/editor_pages.h"
@@ -31,6 +32,45 @@ TEST_F(EditorPages, every_panel_ends_within_1280_pixels_at_150_percent) {
   EXPECT_LE(page->minimumSizeHint().width(), 1280);
   apply_theme(*qApp, ColourScheme::light, 100);
   install_language(*qApp, QStringLiteral("en"));
+}
+
+TEST_F(EditorPages, at_200_percent_1280_pixels_hold_the_tooth_and_one_panel_in_german) {
+  install_language(*qApp, QStringLiteral("de"));
+  apply_theme(*qApp, ColourScheme::light, 200);
+  const auto page = open();
+  EXPECT_EQ(page->width(), 1280);
+  EXPECT_LE(page->minimumSizeHint().width(), 1280);
+  const auto* tabs = page->findChild<QTabWidget*>();
+  EXPECT_LE(tabs->mapTo(page.get(), QPoint(tabs->width(), 0)).x(), 1280);
+  EXPECT_LE(page->stage()->mapTo(page.get(), QPoint(page->stage()->width(), 0)).x(), tabs->mapTo(page.get(), QPoint()).x());
+  for (const QPushButton* button : page->findChildren<QPushButton*>()) {
+    const QWidget* bar = button->parentWidget();
+    if (!button->isVisible() || bar->property("kind") != QStringLiteral("bar_top")) continue;
+    EXPECT_FALSE(clipped(*button)) << described(*button) << ", " << button->width() << " of " << button->sizeHint().width();
+    EXPECT_FALSE(beyond_parent(*button)) << described(*button);
+  }
+  apply_theme(*qApp, ColourScheme::light, 100);
+  install_language(*qApp, QStringLiteral("en"));
+}
+
+TEST_F(EditorPages, the_left_panel_is_a_tab_while_the_window_is_too_narrow_for_three) {
+  apply_theme(*qApp, ColourScheme::light, 200);
+  const auto page = open();
+  auto* tabs = page->findChild<QTabWidget*>();
+  const auto* change = named<QPushButton>(*page, "Change the tooth");
+  ASSERT_EQ(tabs->count(), 7);
+  EXPECT_EQ(tabs->currentIndex(), 0);
+  EXPECT_FALSE(change->isVisible());
+  tabs->setCurrentIndex(6);
+  EXPECT_EQ(tabs->tabText(6), QStringLiteral("Target"));
+  EXPECT_TRUE(change->isVisible());
+  EXPECT_NE(named<QPushButton>(*page, "Publish version 4"), nullptr) << "a screen reader hears the whole name";
+  page->resize(1800, 1000);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return tabs->count() == 6; }));
+  EXPECT_TRUE(change->isVisible());
+  page->resize(1280, 1000);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return tabs->count() == 7; }));
+  apply_theme(*qApp, ColourScheme::light, 100);
 }
 
 }  // namespace
