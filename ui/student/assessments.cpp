@@ -9,6 +9,7 @@
 
 #include "ui/render/opengl_allowed.h"
 #include "ui/session/session_setup.h"
+#include "ui/student/interrupted_card.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
 #include "ui/view/tooth_view.h"
@@ -49,6 +50,15 @@ State state_of(const Assignment& a, const std::vector<HistoryRow>& attempts, con
   return a.self_test_days && !is_recent(device.test, *a.self_test_days, now_us) ? State::self_test_due : State::open;
 }
 
+/// `here`: as of state_of().
+bool can_continue(Store& store, const std::vector<HistoryRow>& attempts, const std::vector<HistoryRow>& here, const std::string& device_class) {
+  return opengl_allowed() && std::ranges::any_of(attempts, [&](const HistoryRow& row) {
+    if (!holds(here, row.session)) return false;
+    const auto way = way_of(store, row, device_class);
+    return way && *way == InterruptedWay::resume;
+  });
+}
+
 QString state_text(const AssignedAssessment& a) {
   const auto day = [](std::int64_t us) { return format_day_time(local_time(us)); };
   switch (a.state) {
@@ -59,7 +69,8 @@ QString state_text(const AssignedAssessment& a) {
     case State::other_device: return AssessmentCard::tr("Needs another device");
     case State::self_test_due: return AssessmentCard::tr("Needs a newer self-test");
     case State::running: return AssessmentCard::tr("Runs in another window");
-    case State::interrupted: return AssessmentCard::tr("Interrupted: continue it below");
+    case State::interrupted:
+      return a.resumable ? AssessmentCard::tr("Interrupted: continue it below") : AssessmentCard::tr("Interrupted: see below");
     case State::broken_off: return AssessmentCard::tr("Interrupted: ask the invigilator");
     case State::handed_in: return AssessmentCard::tr("Handed in: the result is not released yet");
     case State::missed: return AssessmentCard::tr("The time is over");
@@ -124,6 +135,7 @@ Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Act
     AssignedAssessment one{a, std::move(*exercise), static_cast<int>(attempts->size())};
     one.adjustment = store.assignments.adjustment(a.id, student.id).value_or(Adjustment{});
     one.state = state_of(a, *attempts, *here, now.toMSecsSinceEpoch() * 1000, device);
+    if (one.state == State::interrupted) one.resumable = can_continue(store, *attempts, *here, device_class);
     const bool every_released = !attempts->empty() && std::ranges::all_of(*attempts, &HistoryRow::released);
     if (one.state == State::handed_in && every_released) continue;  // it stands among the results
     const std::int64_t now_us = now.toMSecsSinceEpoch() * 1000;

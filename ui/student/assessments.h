@@ -30,6 +30,7 @@ struct AssignedAssessment {
   int attempts = 0;
   Adjustment adjustment{};
   State state = State::open;
+  bool resumable = true;  // of interrupted: false if this station can only hand it in, or draws no tooth
 };
 
 /// Assessments of the student's cohorts, by due date, those that are over last. Without those whose every result is released, those

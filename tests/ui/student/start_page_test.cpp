@@ -163,6 +163,14 @@ TEST_F(StartPageCards, an_interrupted_assessment_stands_above_a_newer_interrupte
   EXPECT_EQ(primary, 1);
 }
 
+TEST_F(StartPageCards, an_interrupted_assessment_that_this_device_cannot_continue_promises_nothing_else) {
+  broken_off();
+  const StartPage other(records.store(), lena, pictures, now, "falcon");
+  EXPECT_TRUE(texts_of(other).contains(QStringLiteral("Interrupted: see below"))) << texts_of(other).toStdString();
+  EXPECT_FALSE(texts_of(other).contains(QStringLiteral("continue it below")));
+  EXPECT_EQ(other.findChildren<InterruptedCard*>().size(), 1) << "it can be handed in";
+}
+
 TEST_F(StartPageCards, an_open_assessment_has_the_one_primary_button_beside_an_interrupted_practice) {
   records.broken_attempt(lena, "paper-block");
   page();
