@@ -112,7 +112,7 @@ void Desktop::show_sign_in(SignIn* page) {
   if (const auto why = why_reading_only()) page->show_reading_only(*why);
   if (records_damaged()) page->offer_way_back();
   connect(page, &SignIn::way_back_wanted, this, [this] { show_way_back(describe(*reading_only_)); });
-  if (!opengl_allowed()) page->show_note({ToothView::pictures_off(), tr("The next start tries them again.")});
+  if (!opengl_allowed()) page->show_no_drilling({ToothView::pictures_off(), tr("The next start tries them again.")});
   if (!behind_lock_.empty()) page->show_note({tr("Some work is not saved."), behind_lock_text()});
   connect(page, &SignIn::try_again, this, &Desktop::start);
   connect(page, &SignIn::signed_in, this, &Desktop::sign_in);

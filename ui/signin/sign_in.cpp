@@ -75,6 +75,13 @@ void SignIn::show_incident(const Message& message) {
 
 void SignIn::show_note(const Message& message) { band_->show_message(Band::Kind::info, message.what, message.more); }
 
+void SignIn::show_no_drilling(const Message& why) {
+  show_note(why);
+  try_it_->setEnabled(false);
+  try_it_->setToolTip(why.what);
+  try_it_->setAccessibleDescription(why.what);
+}
+
 void SignIn::show_reading_only(const Message& why) {
   reading_only_->show_message(Band::Kind::look, why.what, why.more);
   try_again_->show();

@@ -45,6 +45,8 @@ class SignIn : public QWidget {
   void show_incident(const Message& message);
   /// Why the page is here, until somebody signs in.
   void show_note(const Message& message);
+  /// Likewise; "Try it" is disabled, and its tool tip gives the reason.
+  void show_no_drilling(const Message& why);
   /// The records cannot be written: shown to everybody, with "Try again".
   void show_reading_only(const Message& why);
   /// Beside what show_reading_only() says: the records are damaged.
@@ -99,7 +101,7 @@ class SignIn : public QWidget {
   QWidget *student_fields_ = nullptr, *staff_fields_ = nullptr;
   QLineEdit *number_ = nullptr, *staff_number_ = nullptr, *password_ = nullptr, *repeat_ = nullptr, *name_ = nullptr;
   PinField* pin_ = nullptr;
-  QPushButton *enter_ = nullptr, *try_again_ = nullptr, *way_back_ = nullptr;
+  QPushButton *enter_ = nullptr, *try_again_ = nullptr, *way_back_ = nullptr, *try_it_ = nullptr;
   Band *band_ = nullptr, *incident_ = nullptr, *reading_only_ = nullptr;
   QLabel* picture_ = nullptr;
   QImage image_;

@@ -186,16 +186,16 @@ QWidget* SignIn::make_staff_fields() {
 }
 
 void SignIn::add_try_it(QBoxLayout& column) {
-  QPushButton* try_button = make_large_button(tr("Try it"), ButtonKind::standard, u"play"_qs);
-  try_button->setIcon(icon(u"play"_qs, Ink::accent));
-  column.addWidget(try_button);
+  try_it_ = make_large_button(tr("Try it"), ButtonKind::standard, u"play"_qs);
+  try_it_->setIcon(icon(u"play"_qs, Ink::accent));
+  column.addWidget(try_it_);
   QLabel* note = make_label(tr("No account. You drill a practice block with the mouse; nothing goes into the school’s "
                                "records."),
                             TextRole::caption, Weight::regular, "text2");
   note->setWordWrap(true);
   column.addSpacing(px(4));
   column.addWidget(note);
-  connect(try_button, &QPushButton::clicked, this, &SignIn::try_it);
+  connect(try_it_, &QPushButton::clicked, this, &SignIn::try_it);
 }
 
 QWidget* SignIn::make_first_start_form() {

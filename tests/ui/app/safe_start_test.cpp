@@ -85,6 +85,18 @@ TEST_F(SafeStart, without_pictures_results_are_open_and_start_gives_the_reason) 
   EXPECT_TRUE(shows(QStringLiteral("Nothing can be drilled now.")));
 }
 
+TEST_F(SafeStart, without_pictures_the_sign_in_page_gives_the_reason_at_its_try_it) {
+  forbid_opengl();
+  desktop->start();
+  const auto* page = qobject_cast<SignIn*>(desktop->page());
+  ASSERT_NE(page, nullptr);
+  EXPECT_TRUE(gives_reason(*page));
+  const auto* try_it = named<QPushButton>(*desktop, "Try it");
+  ASSERT_NE(try_it, nullptr);
+  EXPECT_FALSE(try_it->isEnabled());
+  EXPECT_TRUE(try_it->toolTip().contains(QStringLiteral("3D pictures are off"))) << try_it->toolTip().toStdString();
+}
+
 TEST_F(SafeStart, without_pictures_an_interrupted_attempt_is_graded_and_not_continued) {
   const Account lena = records.student("1", "Lena Brandt");
   records.broken_attempt(lena, "channel-1");
