@@ -140,6 +140,10 @@
         <source>Attempts used: %1 of %2</source>
         <translation>Verbrauchte Versuche: %1 von %2</translation>
     </message>
+    <message>
+        <source>Interrupted: see below</source>
+        <translation>Unterbrochen: siehe unten</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssessmentPage</name>
@@ -7724,6 +7728,14 @@
         <source>No result yet, so there is nothing to draw.</source>
         <translation>Noch kein Ergebnis, also nichts zu zeichnen.</translation>
     </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Older attempts are not shown: they could not be read.</source>
+        <translation>Ältere Versuche sind nicht angezeigt: Sie konnten nicht gelesen werden.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::PackCard</name>
@@ -8040,10 +8052,6 @@
         <translation>Treten Sie das Pedal einmal, lassen Sie es los und nehmen Sie den Fuß weg.</translation>
     </message>
     <message>
-        <source>Press the pedal all the way down.</source>
-        <translation>Treten Sie das Pedal ganz durch.</translation>
-    </message>
-    <message>
         <source>Press the switch that runs the coolant.</source>
         <translation>Treten Sie den Schalter, der die Kühlung laufen lässt.</translation>
     </message>
@@ -8102,6 +8110,22 @@
     <message>
         <source>%1: connected, not used</source>
         <translation>%1: verbunden, nicht benutzt</translation>
+    </message>
+    <message>
+        <source>Press the pedal all the way down and hold it.</source>
+        <translation>Treten Sie das Pedal ganz durch und halten Sie es gedrückt.</translation>
+    </message>
+    <message>
+        <source>Take the foot off the pedal.</source>
+        <translation>Nehmen Sie den Fuß vom Pedal.</translation>
+    </message>
+    <message>
+        <source>The pedal is not back where it rested. If the foot is off, the pedal was pressed at the first step: cancel, and calibrate again.</source>
+        <translation>Das Pedal steht nicht wieder in seiner Ruhelage. Wenn der Fuß weg ist, war das Pedal beim ersten Schritt gedrückt: Brechen Sie ab und kalibrieren Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The pedal is back where it rested. If it is down, it was pressed at the first step: cancel, and calibrate again.</source>
+        <translation>Das Pedal steht wieder in seiner Ruhelage. Wenn es durchgetreten ist, war es beim ersten Schritt gedrückt: Brechen Sie ab und kalibrieren Sie noch einmal.</translation>
     </message>
 </context>
 <context>
