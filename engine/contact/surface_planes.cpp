@@ -12,6 +12,7 @@ namespace {
 constexpr double kLongestLeap = 10.0;       // of the last pass's move
 constexpr double kFacing = 0.9;               // cos 26 deg: a head's side that turns further from a surface does not lie on it
 constexpr int kEdgePasses = 14;               // halvings of an edge's piece of 1.4 voxels: to some 5 nm
+constexpr double kLeastShare = 0.5;           // cos 60 deg: sides that turn further apart are opposite flanks, deep in the head
 constexpr double kFarthestLeapMm = 0.3, kCloseLeapMm = 0.02;
 
 /// Of a head at y to an edge's piece about `middle`: a plane's way to it, along -gradient. Where the edge cuts into a rim, the
@@ -44,6 +45,10 @@ double distance_to_edge(const Bur& bur, Vec3 axis, Vec3 y, Vec3 middle, Vec3 tan
   const double share = high.slope / (high.slope - low.slope);
   gradient = low.gradient * share + high.gradient * (1.0 - share);
   const double length = length_of(gradient);
+  if (length < kLeastShare) {
+    gradient = low.gradient;
+    return low.distance;
+  }
   gradient /= length;
   return (low.distance < high.distance ? low.distance : high.distance) / length;
 }
