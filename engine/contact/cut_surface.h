@@ -21,9 +21,6 @@ namespace cusp::engine {
 struct Creased;
 struct SharpEdge;
 
-/// An edge's piece ends this far from its middle, voxels.
-inline constexpr double kHalfEdge = 0.7;
-
 struct CutFeature {
   Vec3f normal{0.0f};           // out of the tissue; for an edge its tangent
   Vec3f other_normal{0.0f};     // of the nearest other surface; an edge's bend, per mm

@@ -13,6 +13,9 @@ namespace cusp::engine {
 
 class Specimen;
 
+/// An edge's piece ends this far from its middle, voxels.
+inline constexpr double kHalfEdge = 0.7;
+
 /// Unit normal out of the tissue, or an edge's tangent, in 1/32767: 0.002 degrees, which contact polishes on the field.
 /// And the cell.
 struct BaseNormal {

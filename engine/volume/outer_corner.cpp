@@ -16,7 +16,6 @@ constexpr double kMeets = 0.05;     // pieces pass a corner this close
 constexpr double kOnFace = 0.05;
 constexpr double kRounded = 0.35;   // by which a trilinear field leaves a corner
 constexpr double kBack = 0.4;       // of a face's point from both of its edges
-constexpr double kHalfPiece = 0.7;  // of an edge, as contact reads it
 
 /// inward[k] runs along an edge; normal[k] is of the face between the two others, out of the tissue.
 struct Corner {
@@ -121,7 +120,7 @@ bool meet(const Specimen& specimen, const Points& points, const std::size_t (&pi
 /// Of those that are one, the one whose pieces are nearest.
 void keep_nearest(const Corner& corner, std::vector<Corner>& corners) {
   for (Corner& known : corners) {
-    if (length_of(known.at - corner.at) > kHalfPiece) continue;
+    if (length_of(known.at - corner.at) > kHalfEdge) continue;
     if (corner.far < known.far) known = corner;
     return;
   }
@@ -162,7 +161,7 @@ bool end_at(const Corner& corner, Vec3 place, BasePlace& point) {
     facing = f;
     best = k;
   }
-  if (edge) return far > kUnexplained ? glm::dot(v, corner.inward[best]) > 0.0 : glm::dot(v, corner.inward[best]) > kHalfPiece;
+  if (edge) return far > kUnexplained ? glm::dot(v, corner.inward[best]) > 0.0 : glm::dot(v, corner.inward[best]) > kHalfEdge;
   if (!(facing > 0.98) || std::fabs(glm::dot(v, corner.normal[best])) > kOnFace || over(corner, place) > kOnFace)
     return far > kUnexplained;
   point.details = 0;
@@ -186,7 +185,7 @@ void add_pieces(const Specimen& specimen, const Corner& corner, std::vector<Base
     return points.back();
   };
   for (int k = 0; k < 3; ++k) {
-    add(corner.at + corner.inward[k] * kHalfPiece, corner.inward[k], BaseNormal::kEdge).details = 1;
+    add(corner.at + corner.inward[k] * kHalfEdge, corner.inward[k], BaseNormal::kEdge).details = 1;
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     const Vec3 back = (corner.inward[i] + corner.inward[j]) * kBack;
     BasePlace& face = add(corner.at + back, corner.normal[k], BaseNormal::kBesideEdge);
