@@ -3,6 +3,8 @@
 #include <bit>
 #include <utility>
 
+#include "engine/contact/field_readers.h"
+
 namespace cusp::engine {
 
 namespace {
@@ -61,32 +63,24 @@ void CutSurface::forget() noexcept {
   for (std::size_t i = kept_pages_; i-- > 0;) free_.push_back(static_cast<std::int32_t>(i));
 }
 
-void CutSurface::changed(const Volume& volume, IVec3 low, IVec3 high) noexcept {
+void CutSurface::changed(const Volume& volume, const ChangedVoxels& voxels) noexcept {
   const Specimen& specimen = volume.specimen();
-  // A cell reads the voxels one below to two above its own; a creased one those of the cells two away, too.
-  const IVec3 near_low = low - 2, near_high = high + 1;
-  const IVec3 far_low = low - 4, far_high = high + 3;
-  const auto slices = [](IVec3 a, IVec3 b) {
-    std::uint64_t row = 0;
-    for (int x = a.x; x <= b.x; ++x) row |= std::uint64_t{1} << x;
-    std::uint64_t slice = 0;
-    for (int y = a.y; y <= b.y; ++y) slice |= row << (8 * y);
-    return slice;
-  };
+  const IVec3 corner((voxels.low >> 3) * kBrickEdge);
+  const FieldReaders readers(voxels);
+  // A creased cell reads the voxels of the cells two away, too.
+  const IVec3 far_low = voxels.low - 4, far_high = voxels.high + 3;
   for (int bz = far_low.z >> 3; bz <= far_high.z >> 3; ++bz)
     for (int by = far_low.y >> 3; by <= far_high.y >> 3; ++by)
       for (int bx = far_low.x >> 3; bx <= far_high.x >> 3; ++bx) {
         const int brick = specimen.brick_index({bx, by, bz});
         if (brick < 0 || volume.cut_slot(brick) < 0) continue;
         Slot& slot = slots_[static_cast<std::size_t>(volume.cut_slot(brick))];
-        const IVec3 corner = IVec3(bx, by, bz) * kBrickEdge;
-        IVec3 a = glm::max(far_low - corner, IVec3(0)), b = glm::min(far_high - corner, IVec3(7));
-        std::uint64_t slice = slices(a, b);
-        for (int z = a.z; z <= b.z; ++z) slot.stale[z] |= slice & slot.creased[z];
-        a = glm::max(near_low - corner, IVec3(0));
-        b = glm::min(near_high - corner, IVec3(7));
-        slice = slices(a, b);
-        for (int z = a.z; z <= b.z; ++z) slot.stale[z] |= slice;
+        const IVec3 first = IVec3(bx, by, bz) * kBrickEdge;
+        for (int z = 0; z < kBrickEdge; ++z) slot.stale[z] |= readers.in(first - corner, z);
+        const IVec3 a = glm::max(far_low - first, IVec3(0)), b = glm::min(far_high - first, IVec3(7));
+        std::uint64_t far = 0;
+        for (int y = a.y; y <= b.y; ++y) far |= static_cast<std::uint64_t>((2u << b.x) - (1u << a.x)) << (8 * y);
+        for (int z = a.z; z <= b.z; ++z) slot.stale[z] |= far & slot.creased[z];
       }
 }
 
@@ -108,7 +102,7 @@ void CutSurface::changed_unresolved(const Volume& volume, IVec3 low, IVec3 high)
           slots_[place].stale[z] |= slots_[place].creased[z] & cells_of(were, z);
         }
       }
-  changed(volume, low, high);
+  for_bricks_of(low, high, [&](const ChangedVoxels& voxels) { changed(volume, voxels); });
 }
 
 void CutSurface::resolve(const Volume& volume, Resolving resolving) noexcept {

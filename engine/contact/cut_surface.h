@@ -14,6 +14,7 @@
 
 #include "engine/contact/cells_near.h"
 #include "engine/volume/cell_field.h"
+#include "engine/volume/changed_voxels.h"
 #include "engine/volume/volume.h"
 
 namespace cusp::engine {
@@ -58,9 +59,9 @@ class CutSurface {
 
   explicit CutSurface(const Volume& volume);
 
-  /// Voxels low..high (inclusive) of the cut field have changed. Resolved parts stay resolved.
-  void changed(const Volume& volume, IVec3 low, IVec3 high) noexcept;
-  /// The same; their parts become unresolved: for changes too large to resolve at once.
+  /// Voxels of the cut field have changed. Resolved parts stay resolved.
+  void changed(const Volume& volume, const ChangedVoxels& voxels) noexcept;
+  /// The same of voxels low..high (inclusive); their parts become unresolved: for changes too large to resolve at once.
   void changed_unresolved(const Volume& volume, IVec3 low, IVec3 high) noexcept;
 
   void resolve(const Volume& volume, Resolving resolving) noexcept;

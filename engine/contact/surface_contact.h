@@ -49,16 +49,15 @@ class SurfaceContact {
   /// The nearest pose at which the head alone, thinner by thin_mm all over, fits. False if there is none within 20 um.
   bool push_out(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, double thin_mm, Vec3& out) noexcept;
 
-  /// To be called after every change of the cut field in voxels low..high, inclusive. Known free space stays valid, for
-  /// cutting only removes tissue.
-  void changed(const Volume& volume, IVec3 low, IVec3 high) noexcept {
-    cut_.changed(volume, low, high);
-    walls_.changed(volume, low, high);
+  /// To be called after every change of the cut field. Known free space stays valid, for cutting only removes tissue.
+  void changed(const Volume& volume, const ChangedVoxels& changed) noexcept {
+    cut_.changed(volume, changed);
+    walls_.changed(volume, changed.low, changed.high);
     fields_.forget_cut();
     gathered_.valid = false;
   }
 
-  /// The same for a change too large to resolve at once: its parts stay unresolved until resolve() reaches them.
+  /// The same of voxels low..high, inclusive, for a change too large to resolve at once: its parts stay unresolved until resolve() reaches them.
   void changed_unresolved(const Volume& volume, IVec3 low, IVec3 high) noexcept {
     cut_.changed_unresolved(volume, low, high);
     walls_.changed(volume, low, high);

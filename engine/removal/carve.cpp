@@ -99,7 +99,7 @@ struct BallSweeps {
 };
 
 /// Lowers the voxels of a brick to what is swept. False if the volume has no room.
-bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner, Carved::Box& box, bool& changed) noexcept {
+bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner, ChangedVoxels& changed) noexcept {
   const IVec3 from = glm::max(all.low - corner, IVec3(0));
   const IVec3 to = glm::min(all.high - corner, IVec3(7));
   // In 1/65535, with the rounding of two solid fractions.
@@ -147,11 +147,7 @@ bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner,
           values[o + i] = static_cast<std::uint16_t>(now[i]);
           if (ids != nullptr) ids[o + i] = by[i];
         }
-        const IVec3 low = corner + IVec3(x + __builtin_ctz(less), y, z);
-        const IVec3 high = corner + IVec3(x + 31 - __builtin_clz(less), y, z);
-        box.low = changed ? glm::min(box.low, low) : low;
-        box.high = changed ? glm::max(box.high, high) : high;
-        changed = true;
+        changed.add_row(y, z, less << x);
       }
     }
   return true;
@@ -174,12 +170,11 @@ Carved carve(Volume& volume, const BallSweeps& all, CarvePart part) noexcept {
         bool reaches = false;
         for (int k = 0; k < all.count && !reaches; ++k) reaches = all.sweep[k].reaches_brick(corner);
         if (!reaches) continue;
-        Carved::Box box;
-        bool changed = false;
-        if (!carve_brick(volume, all, brick, corner, box, changed)) out.overflow = true;
-        if (!changed) continue;
+        ChangedVoxels changed;
+        if (!carve_brick(volume, all, brick, corner, changed)) out.overflow = true;
+        if (!changed.close(corner)) continue;
         volume.touched(brick);
-        out.add(box);
+        out.add(changed);
       }
   return out;
 }

@@ -3,6 +3,7 @@
 
 #include "engine/contact/sweeps.h"
 #include "engine/tool/bur.h"
+#include "engine/volume/changed_voxels.h"
 #include "engine/volume/volume.h"
 
 namespace cusp::engine {
@@ -12,21 +13,17 @@ struct Carved {
   bool any = false;        // a value changed
   bool overflow = false;   // a brick had no room
   IVec3 low{0}, high{0};   // voxels that may have changed, inclusive; valid when any
-  /// The same brick by brick, for the first kBoxes bricks; `low` and `high` alone cover the rest.
-  struct Box {
-    IVec3 low{0}, high{0};
-  };
-  static constexpr int kBoxes = 64;
-  Box box[kBoxes];
+  /// The same brick by brick, for the first kKept bricks; `low` and `high` alone cover the rest.
+  static constexpr int kKept = 64;
+  ChangedVoxels brick[kKept];
   int bricks = 0;          // that changed
   int next = -1;           // CarvePart::first of the next part; -1: the carving is complete
 
-  /// A brick changed in a box.
-  void add(const Box& changed) noexcept {
+  void add(const ChangedVoxels& changed) noexcept {
     low = any ? glm::min(low, changed.low) : changed.low;
     high = any ? glm::max(high, changed.high) : changed.high;
     any = true;
-    if (bricks < kBoxes) box[bricks] = changed;
+    if (bricks < kKept) brick[bricks] = changed;
     ++bricks;
   }
 };
@@ -44,14 +41,11 @@ struct CarvePart {
   int most = 1 << 30;      // bricks to change
 };
 
-/// Calls visit(low, high) for boxes that together hold every voxel that may have changed.
+/// Calls visit(changed), a brick each, with every voxel that has changed; beyond kKept bricks with all in the box about them.
 template <class Visit>
 void for_changed(const Carved& carved, Visit&& visit) noexcept {
-  if (carved.bricks > Carved::kBoxes) {
-    visit(carved.low, carved.high);
-    return;
-  }
-  for (int i = 0; i < carved.bricks; ++i) visit(carved.box[i].low, carved.box[i].high);
+  if (carved.bricks > Carved::kKept) return for_bricks_of(carved.low, carved.high, visit);
+  for (int i = 0; i < carved.bricks; ++i) visit(carved.brick[i]);
 }
 
 /// Unites the cut field with a ball of radius_mm swept from a to b (mm): C = min(C, solid(r - distance to ab)).

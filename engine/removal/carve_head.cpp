@@ -111,7 +111,7 @@ class Carving {
     brick_.corner = corner;
     brick_.known = volume_.cut_of(index);
     brick_.written = false;
-    brick_.changed = false;
+    brick_.changed = {};
     const bool plain = whole.where != Nearest::either && whole.hand.chain;
     // By eighths: what their middles' tangents cannot rule out, and of a brick that is not plain what each sees of the head.
     for (int i = 0; i < 8; ++i) {
@@ -133,7 +133,7 @@ class Carving {
         break;
       }
     }
-    if (brick_.changed) record(index, brick_.box);
+    record();
   }
 
   /// What a cube of places sees of the head: `from` its middle, from the pivot in the middle of the way.
@@ -171,15 +171,16 @@ class Carving {
       out_.overflow = true;
       return;
     }
-    brick_.changed = false;
+    brick_.index = index;
+    brick_.corner = corner;
+    brick_.changed = {};
     for (int o = 0; o < kBrickVoxels; ++o) {
       if (values[o] == 0) continue;
       values[o] = 0;
       volume_.forget_sweep(index, o);
-      const IVec3 at = corner + IVec3(o & 7, o >> 3 & 7, o >> 6);
-      brick_.take(at, at);
+      brick_.changed.add_row(o >> 3 & 7, o >> 6, 1u << (o & 7));
     }
-    if (brick_.changed) record(index, brick_.box);
+    record();
   }
 
   /// What the rows of an eighth share: places of its first row against the head, and what the head's rim asks.
@@ -268,7 +269,6 @@ class Carving {
     const IVec3 from = glm::max(low_ - first, IVec3(0));
     const IVec3 to = glm::min(high_ - first, IVec3(3));
     Eighth e = eighth_of(first, (0xfu << from.x) & (0xfu >> (3 - to.x)), seen, slope, nearest);
-    unsigned columns = 0, rows = 0, slices = 0;
     for (int z = from.z; z <= to.z; ++z)
       for (int y = from.y; y <= to.y; ++y) {
         const int o = brick_offset(low.x, low.y + y, low.z + z);
@@ -279,15 +279,8 @@ class Carving {
         const Wrote wrote = lower_row(o, four, row_distance(e, seen, y, z), e.meant, less);
         if (wrote == Wrote::no_room) return false;
         if (wrote == Wrote::nothing) continue;
-        columns |= less;
-        rows |= 1u << y;
-        slices |= 1u << z;
+        brick_.changed.add_row(low.y + y, low.z + z, less << low.x);
       }
-    if (columns == 0) return true;
-    const auto lowest = [](unsigned bits) { return __builtin_ctz(bits); };
-    const auto highest = [](unsigned bits) { return 31 - __builtin_clz(bits); };
-    brick_.take(first + IVec3(lowest(columns), lowest(rows), lowest(slices)),
-                first + IVec3(highest(columns), highest(rows), highest(slices)));
     return true;
   }
 
@@ -303,9 +296,11 @@ class Carving {
     return out;
   }
 
-  void record(int index, const Carved::Box& box) noexcept {
-    volume_.touched(index);
-    out_.add(box);
+  /// What has changed of the brick at hand.
+  void record() noexcept {
+    if (!brick_.changed.close(brick_.corner)) return;
+    volume_.touched(brick_.index);
+    out_.add(brick_.changed);
   }
 
   /// The brick at hand.
@@ -314,13 +309,8 @@ class Carving {
     IVec3 corner{0};
     const std::uint16_t* known = nullptr;  // its cut values; none: nothing was cut
     std::uint16_t* values = nullptr;       // once written
-    bool written = false, changed = false;
-    Carved::Box box;
-    void take(IVec3 low, IVec3 high) noexcept {
-      box.low = changed ? glm::min(box.low, low) : low;
-      box.high = changed ? glm::max(box.high, high) : high;
-      changed = true;
-    }
+    bool written = false;
+    ChangedVoxels changed;
   };
 
   Volume& volume_;

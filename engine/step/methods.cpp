@@ -35,7 +35,7 @@ class SurfaceMethod final : public ContactMethod {
       state.memory.add(from_mm, to_mm, {bur, axis});
       state.memory.break_path();
     }
-    for_changed(carved, [&](IVec3 low, IVec3 high) { state.surface->changed(state.volume, low, high); });
+    for_changed(carved, [&](const ChangedVoxels& changed) { state.surface->changed(state.volume, changed); });
     return room && !carved.overflow;
   }
   bool remove_voxels(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {

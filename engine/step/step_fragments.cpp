@@ -18,7 +18,9 @@ bool drop_crumbs_in(StepState::Inner& state, IVec3 low, IVec3 high, ForBoxes&& f
 }  // namespace
 
 bool drop_crumbs(StepState::Inner& state, const Carved& carved) noexcept {
-  return !carved.any || drop_crumbs_in(state, carved.low, carved.high, [&](auto&& mark) { for_changed(carved, mark); });
+  return !carved.any || drop_crumbs_in(state, carved.low, carved.high, [&](auto&& mark) {
+    for_changed(carved, [&](const ChangedVoxels& changed) { mark(changed.low, changed.high); });
+  });
 }
 
 bool drop_crumbs(StepState::Inner& state, IVec3 low, IVec3 high) noexcept {

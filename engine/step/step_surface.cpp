@@ -79,7 +79,7 @@ bool carve_pending(StepState::Inner& state, int bricks) noexcept {
     carved = carve_run(state.volume, state.sweeps, {sweep.first, sweep.last}, {sweep.next, bricks});
   else
     carved = carve_sweep(state.volume, sweep.from, sweep.to, bur.radius_mm, {sweep.next, bricks});
-  for_changed(carved, [&](IVec3 low, IVec3 high) { state.surface->changed(state.volume, low, high); });
+  for_changed(carved, [&](const ChangedVoxels& changed) { state.surface->changed(state.volume, changed); });
   sweep.next = carved.next;
   state.surface->set_cutting(cutting_of(state));
   const bool room = drop_crumbs(state, carved);
