@@ -212,11 +212,11 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, Part 
   CellField cut, base;
   cut.load(low, kSide, kSide * kSide);
   if (!about.deep) base.load(base_low, kSide, kSide * kSide);
-  const Creased crease = creased(cut, resolved ? kMostOff : 0.0, [&](IVec3 o, CellField& to) { return load_beside(volume, cell, o, to); });
-  cells_resolved_ += resolved && crease.examined;
+  const Creased crease = resolved ? creased(cut, kMostOff, [&](IVec3 o, CellField& to) { return load_beside(volume, cell, o, to); }) : Creased{};
+  cells_resolved_ += crease.examined;
   add_cut(volume, cell, crease, cut, about.deep ? nullptr : &base);
   // Whether the cut meets the specimen's own surface.
-  if (about.deep || !base.crossed()) return resolved && crease.examined;
+  if (about.deep || !base.crossed()) return crease.examined;
   SharpEdge edge;
   if (edge_of([&](Vec3 p, Vec3& g) { return base.eval(p, g); }, [&](Vec3 p, Vec3& g) { return cut.eval(p, g); }, Vec3(0.5),
               edge))

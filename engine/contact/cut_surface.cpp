@@ -176,13 +176,13 @@ int CutSurface::prepare(const Volume& volume, int brick, const CellsNear& cells,
 /// The samples of a brick's cells from those of it and its neighbours: source(brick) gives 512 values, or nullptr and what
 /// stands for all of them.
 template <class Source>
-void CutSurface::decode(const Specimen& specimen, IVec3 brick, double (&samples)[kSide * kSide * kSide], Source&& source) noexcept {
+void CutSurface::decode(const Specimen& specimen, IVec3 brick, Slices cells, double (&samples)[kSide * kSide * kSide], Source&& source) noexcept {
   for (int nz = -1; nz <= 1; ++nz)
     for (int ny = -1; ny <= 1; ++ny)
       for (int nx = -1; nx <= 1; ++nx) {
         const auto [values, uniform] = source(specimen.brick_index(brick + IVec3(nx, ny, nz)));
-        const IVec3 from(nx < 0 ? 7 : 0, ny < 0 ? 7 : 0, nz < 0 ? 7 : 0);
-        const IVec3 to(nx > 0 ? 1 : 7, ny > 0 ? 1 : 7, nz > 0 ? 1 : 7);
+        const IVec3 from(nx < 0 ? 7 : 0, ny < 0 ? 7 : 0, std::max(nz < 0 ? 7 : 0, cells.first - 1 - nz * 8));
+        const IVec3 to(nx > 0 ? 1 : 7, ny > 0 ? 1 : 7, std::min(nz > 0 ? 1 : 7, cells.last + 2 - nz * 8));
         for (int z = from.z; z <= to.z; ++z)
           for (int y = from.y; y <= to.y; ++y) {
             double* row = &samples[(nx * 8 + from.x + 1) + kSide * ((ny * 8 + y + 1) + kSide * (nz * 8 + z + 1))];
@@ -198,14 +198,14 @@ void CutSurface::decode(const Specimen& specimen, IVec3 brick, double (&samples)
 }
 
 void CutSurface::decode_cut(const Volume& volume, IVec3 brick) noexcept {
-  decode(volume.specimen(), brick, samples_, [&volume](int b) {
+  decode(volume.specimen(), brick, asked_, samples_, [&volume](int b) {
     return std::pair<const std::uint16_t*, double>(b < 0 ? nullptr : volume.cut_of(b), -kBandVoxels);
   });
 }
 
 void CutSurface::decode_base(const Specimen& specimen, IVec3 brick) noexcept {
   base_ready_ = true;
-  decode(specimen, brick, base_, [&specimen](int b) {
+  decode(specimen, brick, asked_, base_, [&specimen](int b) {
     return std::pair<const std::uint16_t*, double>(b < 0 ? nullptr : specimen.s_of(b),
                                                    distance_from_solid(b < 0 ? std::uint16_t{0} : specimen.s_in(b, 0)));
   });
@@ -241,9 +241,13 @@ void CutSurface::decode_wide(const Volume& volume, IVec3 brick) noexcept {
 
 void CutSurface::refresh(const Volume& volume, int brick, const CellsNear& cells) noexcept {
   Slot& slot = slots_[static_cast<std::size_t>(volume.cut_slot(brick))];
-  std::uint64_t any = 0;
-  for (int z = 0; z < kBrickEdge; ++z) any |= slot.stale[z] & cells.slice[z];
-  if (any == 0) return;
+  asked_ = {kBrickEdge, -1};
+  for (int z = 0; z < kBrickEdge; ++z) {
+    if ((slot.stale[z] & cells.slice[z]) == 0) continue;
+    asked_.first = std::min(asked_.first, z);
+    asked_.last = z;
+  }
+  if (asked_.last < 0) return;
   const IVec3 at = volume.specimen().brick_at(brick);
   const IVec3 corner = at * kBrickEdge;
   const std::uint16_t* values = volume.cut_of(brick);
@@ -256,7 +260,7 @@ void CutSurface::refresh(const Volume& volume, int brick, const CellsNear& cells
   const Parts resolved_parts = slots_resolved_[static_cast<std::size_t>(volume.cut_slot(brick))];
   const BasePoints points = volume.specimen().surface().in(brick);
   int next_point = 0;
-  for (int z = 0; z < 8; ++z) {
+  for (int z = asked_.first; z <= asked_.last; ++z) {
     const std::uint64_t resolved_cells = cells_of(resolved_parts, z);
     for (std::uint64_t left = slot.stale[z] & cells.slice[z]; left != 0; left &= left - 1) {
       const int o = z << 6 | std::countr_zero(left);

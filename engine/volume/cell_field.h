@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "engine/base/lanes.h"
 #include "engine/volume/volume.h"
 
 namespace cusp::engine {
@@ -191,31 +192,37 @@ class CellField {
     along_c += w * (c1 - c0);
   }
   static bool clamped(double d) noexcept { return d > kBandVoxels - 1e-4 || d < -kBandVoxels + 1e-4; }
-  double blend(double low, double mid_a, double mid_b, double high) noexcept {
-    const bool a_ok = !clamped(low);
-    const bool b_ok = !clamped(high);
-    const double a = low - 2.0 * mid_a + mid_b;
-    const double b = mid_a - 2.0 * mid_b + high;
-    if (a_ok && b_ok) {
-      const double gap = a > b ? a - b : b - a;
-      const double flatter = std::fabs(a) < std::fabs(b) ? a : b;
-      if (gap <= kFlatGap || (gap <= kCreaseGap && std::fabs(flatter) >= kFlat)) return 0.5 * (a + b);
-      crease_near_ = crease_near_ || a > kOuterEdge || b > kOuterEdge;
-      inner_edge_near_ = inner_edge_near_ || a < -kOuterEdge || b < -kOuterEdge;
-      return flatter;
-    }
-    return a_ok ? a : b_ok ? b : 0.0;
+  /// Of two edges along one axis, the second difference of each; samples from below the edge's first end to above its last.
+  Pair blend(Pair low, Pair mid_a, Pair mid_b, Pair high, PairMask& outer, PairMask& inner) const noexcept {
+    const PairMask a_ok = known(low), b_ok = known(high);
+    const Pair a = low - 2.0 * mid_a + mid_b;
+    const Pair b = mid_a - 2.0 * mid_b + high;
+    const Pair gap = size_of(a - b), size_a = size_of(a), size_b = size_of(b);
+    const PairMask a_flatter = size_a < size_b;
+    const Pair flatter = a_flatter ? a : b, size = a_flatter ? size_a : size_b;
+    const PairMask smooth = (gap <= kFlatGap) | ((gap <= kCreaseGap) & (size >= kFlat));
+    const PairMask bent = a_ok & b_ok & ~smooth;
+    outer |= bent & ((a > kOuterEdge) | (b > kOuterEdge));
+    inner |= bent & ((a < -kOuterEdge) | (b < -kOuterEdge));
+    const Pair one = a_ok ? a : b_ok ? b : Pair{};
+    return a_ok & b_ok ? (smooth ? 0.5 * (a + b) : flatter) : one;
   }
+  static PairMask known(Pair d) noexcept { return size_of(d) <= kBandVoxels - 1e-4; }
+  static Pair size_of(Pair v) noexcept { return v < 0.0 ? -v : v; }
   void correct() noexcept {
-    crease_near_ = inner_edge_near_ = false;
-    // Places in d_: x, then 4 y, then 16 z.
-    constexpr int along[3] = {1, 4, 16};
-    constexpr int across[3][2] = {{4, 16}, {1, 16}, {1, 4}};
+    PairMask outer{}, inner{};
+    // Places in d_: x, then 4 y, then 16 z. Two edges of an axis are `beside` apart, the other two `over` further on.
+    constexpr int along[3] = {1, 4, 16}, beside[3] = {4, 1, 1}, over[3] = {16, 16, 4};
     for (int axis = 0; axis < 3; ++axis)
-      for (int i = 0; i < 4; ++i) {
-        const double* v = &d_[kFirstCorner + (i & 1) * across[axis][0] + (i >> 1) * across[axis][1]];
-        second_[axis][i] = blend(v[-along[axis]], v[0], v[along[axis]], v[2 * along[axis]]);
+      for (int i = 0; i < 2; ++i) {
+        const double* v = &d_[kFirstCorner + i * over[axis]];
+        const auto at = [&](int step) { return Pair{v[step * along[axis]], v[step * along[axis] + beside[axis]]}; };
+        const Pair second = blend(at(-1), at(0), at(1), at(2), outer, inner);
+        second_[axis][2 * i] = second[0];
+        second_[axis][2 * i + 1] = second[1];
       }
+    crease_near_ = bits_of(outer) != 0;
+    inner_edge_near_ = bits_of(inner) != 0;
   }
   double corner(int i) const noexcept { return d_[kFirstCorner + (i & 1) + (i >> 1 & 1) * 4 + (i >> 2) * 16]; }
 

@@ -300,8 +300,7 @@ inline void add_face_point(const Face& a, const Face& b, Vec3 from, Creased& out
 }  // namespace sharp_edge
 
 /// load(offset, CellField&) reads the cell `offset` away; it returns false if the surface does not cross that cell.
-/// most_off: by how much the field may differ from the larger of two faces (voxels, summed over the eight corners); 0:
-/// a crease is seen, not examined.
+/// most_off: by how much the field may differ from the larger of two faces (voxels, summed over the eight corners).
 template <class Load>
 inline Creased creased(const CellField& own, double most_off, Load&& load,
                        CreaseSearch search = CreaseSearch::by_gradient) noexcept {
@@ -313,7 +312,6 @@ inline Creased creased(const CellField& own, double most_off, Load&& load,
   const bool has_point = cell_point(own, f, n, &steep);
   if (has_point && steep > 1.0 - kOff && steep < 1.0 + kOff && search == CreaseSearch::by_gradient) return out;
   out.examined = true;
-  if (!(most_off > 0.0)) return out;
 
   sharp_edge::NearFaces faces;
   sharp_edge::find_faces(load, faces);
