@@ -171,11 +171,11 @@ SurfaceContact::HeadFoot SurfaceContact::head_foot(const Tool& tool, Vec3 normal
                                                    double beside2) const noexcept {
   const Profile& head = tool.bur->head;
   const OnHalf at = point.at, gradient = point.gradient;
-  const Vec3 of_point = at.rho > 0.0 ? point.off / at.rho : across(tool.axis);
+  const auto of_point = [&] { return at.rho > 0.0 ? point.off / at.rho : across(tool.axis); };
   OnHalf down{-glm::dot(normal, tool.axis), 0.0};
   const Vec3 sideways = -normal - tool.axis * down.t;
   down.rho = length_of(sideways);
-  const Vec3 out = down.rho > 1e-9 ? sideways / down.rho : of_point;
+  const Vec3 out = down.rho > 1e-9 ? sideways / down.rho : of_point();
   const OnHalf deepest = head.support(down, at);
   HeadFoot foot{tool.axis * deepest.t + out * deepest.rho, normal, true};
   const Vec3 d = foot.at - point_from_pivot;
@@ -193,13 +193,14 @@ SurfaceContact::HeadFoot SurfaceContact::head_foot(const Tool& tool, Vec3 normal
       return foot;
     }
   }
-  foot.at = tool.axis * near.t + of_point * near.rho;
-  foot.normal = -(tool.axis * gradient.t + of_point * gradient.rho);
+  const Vec3 aside = of_point();
+  foot.at = tool.axis * near.t + aside * near.rho;
+  foot.normal = -(tool.axis * gradient.t + aside * gradient.rho);
   // A rim close by that stands deeper has many normals: the surface's own, but for what of it runs along the rim.
   OnHalf rim;
   if (!head.rim(near, std::sqrt(beside2), rim)) return foot;
-  const Vec3 of_rim = tool.axis * rim.t + of_point * rim.rho;
-  const Vec3 along = glm::cross(tool.axis, of_point);
+  const Vec3 of_rim = tool.axis * rim.t + aside * rim.rho;
+  const Vec3 along = glm::cross(tool.axis, aside);
   const Vec3 facing = normal - along * glm::dot(normal, along);
   const double length = length_of(facing);
   if (length < kFacing || glm::dot(normal, of_rim) > glm::dot(normal, foot.at)) return foot;

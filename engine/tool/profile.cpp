@@ -121,19 +121,11 @@ bool Profile::closed() const noexcept {
   return count_ > 0 && wide_ > 0.0 && high_ > low_ && piece(count_ - 1).to.rho <= kSameMm;
 }
 
-double Profile::side_of(int i, OnHalf at, OnHalf& normal, bool& above) const noexcept {
-  const OutlinePiece& piece = pieces_[static_cast<std::size_t>(i)];
-  const Side& side = sides_[static_cast<std::size_t>(i)];
-  if (piece.radius == 0.0) {
-    normal = side.first;
-    const double on = dot(along(normal), at - piece.from);
-    above = on >= 0.0 && on <= side.length;
-    return dot(normal, at) - side.level;
-  }
+double Profile::arc_distance(const OutlinePiece& piece, const Side& side, OnHalf at, OnHalf& normal, bool& above) noexcept {
   const OnHalf v = at - piece.centre;
   above = between(side.first, v, side.last);
   const double away = above ? length(v) : 0.0;
-  if (above && away > 0.0) {
+  if (away > 0.0) {
     normal = {v.t / away, v.rho / away};
     return away - piece.radius;
   }
@@ -147,9 +139,20 @@ double Profile::distance(OnHalf at, OnHalf& gradient) const noexcept {
   double most = -1e300, least = 1e300;
   OnHalf nearest;  // normal of the nearest piece that the place is above
   for (int i = 0; i < count_; ++i) {
-    OnHalf normal;
-    bool above = false;
-    const double d = side_of(i, at, normal, above);
+    const OutlinePiece& piece = pieces_[static_cast<std::size_t>(i)];
+    const Side& side = sides_[static_cast<std::size_t>(i)];
+    OnHalf normal = side.first;
+    double d = 0.0;
+    bool above = false;  // the nearest point lies on the piece
+    if (piece.radius == 0.0) {
+      d = dot(normal, at) - side.level;
+      if (d > 0.0 && d < least) {
+        const double on = dot(along(normal), at - piece.from);
+        above = on >= 0.0 && on <= side.length;
+      }
+    } else {
+      d = arc_distance(piece, side, at, normal, above);
+    }
     if (d > most) {
       most = d;
       gradient = normal;

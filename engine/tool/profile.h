@@ -85,9 +85,8 @@ class Profile {
     double level = 0.0;   // of a straight piece: its normal times any point of it
     double length = 0.0;  // of a straight piece
   };
-  /// Distance of a place to the line or circle of piece i, and its outward normal. above: the nearest point lies on the
-  /// piece.
-  double side_of(int i, OnHalf at, OnHalf& normal, bool& above) const noexcept;
+  /// Distance of a place to an arc's circle, and its outward normal. above: the nearest point lies on the arc.
+  static double arc_distance(const OutlinePiece& piece, const Side& side, OnHalf at, OnHalf& normal, bool& above) noexcept;
   void add_lines(const OutlinePiece& piece, const Side& side) noexcept;
 
   std::array<OutlinePiece, kMostPieces> pieces_{};
