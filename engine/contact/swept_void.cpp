@@ -17,6 +17,20 @@ std::size_t place_of(IVec3 cell) noexcept {
   return static_cast<std::size_t>((cell.x & 15) | (cell.y & 15) << 4 | (cell.z & 15) << 8);
 }
 
+/// Calls visit(i, values, offset) for a cell's eight voxels. values: of(brick) of the brick that holds voxel i, or nullptr.
+template <class Of, class Visit>
+void for_corners(const Specimen& specimen, IVec3 cell, Of&& of, Visit&& visit) noexcept {
+  const IVec3 brick(cell.x >> 3, cell.y >> 3, cell.z >> 3), local(cell.x & 7, cell.y & 7, cell.z & 7);
+  const int over = (local.x == 7) | (local.y == 7) << 1 | (local.z == 7) << 2;  // axes along which it reaches the next brick
+  decltype(of(0)) values[8];
+  for (int i = 0; i < 8; ++i) {
+    if ((i & ~over) != 0) continue;
+    const int at = specimen.brick_index(brick + IVec3(i & 1, i >> 1 & 1, i >> 2));
+    values[i] = at < 0 ? nullptr : of(at);
+  }
+  for (int i = 0; i < 8; ++i) visit(i, values[i & over], brick_offset((local.x + (i & 1)) & 7, (local.y + (i >> 1 & 1)) & 7, (local.z + (i >> 2)) & 7));
+}
+
 }  // namespace
 
 SweptVoid::SweptVoid(const Volume& volume, const Sweeps& sweeps)
@@ -34,6 +48,7 @@ void SweptVoid::forget() noexcept {
 }
 
 void SweptVoid::changed(const Volume& volume, IVec3 low, IVec3 high) noexcept {
+  if (sweeps_.size() == 0) return;  // no voxel names one
   const IVec3 from = glm::max(low - 1, IVec3(0));
   for (int bz = from.z >> 3; bz <= high.z >> 3; ++bz)
     for (int by = from.y >> 3; by <= high.y >> 3; ++by)
@@ -93,16 +108,12 @@ double SweptVoid::about_mm(const Volume& volume, Vec3 p) const noexcept {
   const Vec3 x = (p - origin_mm_) / voxel_mm_;
   const IVec3 cell = cell_of_voxels(x);
   int values[8];
-  const IVec3 local(cell.x & 7, cell.y & 7, cell.z & 7);
-  if (local.x < 7 && local.y < 7 && local.z < 7) {
-    const int brick = volume.specimen().brick_index({cell.x >> 3, cell.y >> 3, cell.z >> 3});
-    const std::uint16_t* from = brick < 0 ? nullptr : volume.cut_of(brick);
-    if (from == nullptr) return -kBandVoxels * voxel_mm_;
-    from += brick_offset(local.x, local.y, local.z);
-    for (int i = 0; i < 8; ++i) values[i] = from[brick_offset(i & 1, i >> 1 & 1, i >> 2)];
-  } else {
-    for (int i = 0; i < 8; ++i) values[i] = volume.cut(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
-  }
+  bool any = false;
+  for_corners(volume.specimen(), cell, [&](int brick) { return volume.cut_of(brick); }, [&](int i, const std::uint16_t* from, int offset) {
+    values[i] = from == nullptr ? kSolid : from[offset];
+    any = any || from != nullptr;
+  });
+  if (!any) return -kBandVoxels * voxel_mm_;
   const Vec3 f = x - Vec3(cell);
   // Both slices at once.
   const auto slices = [&](int i) { return Pair{static_cast<double>(values[i]), static_cast<double>(values[i + 4])}; };
@@ -114,26 +125,11 @@ double SweptVoid::about_mm(const Volume& volume, Vec3 p) const noexcept {
 
 /// The ids of a cell's voxels; false if one has none.
 bool SweptVoid::ids_of(const Volume& volume, IVec3 cell, std::int32_t (&ids)[8]) const noexcept {
-  const Specimen& specimen = volume.specimen();
-  const auto of = [&](IVec3 v) {
-    const int brick = specimen.brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
-    return brick < 0 ? nullptr : volume.sweeps_of(brick);
-  };
-  const IVec3 local(cell.x & 7, cell.y & 7, cell.z & 7);
   bool all = true;
-  if (local.x < 7 && local.y < 7 && local.z < 7) {
-    const std::int32_t* from = of(cell);
-    if (from == nullptr) return false;
-    from += brick_offset(local.x, local.y, local.z);
-    for (int i = 0; i < 8; ++i) all = (ids[i] = from[brick_offset(i & 1, i >> 1 & 1, i >> 2)]) >= 0 && all;
-    return all;
-  }
-  for (int i = 0; i < 8; ++i) {
-    const IVec3 v = cell + IVec3(i & 1, i >> 1 & 1, i >> 2);
-    const std::int32_t* from = of(v);
-    ids[i] = from == nullptr ? Volume::kNoSweep : from[brick_offset(v.x & 7, v.y & 7, v.z & 7)];
-    all = ids[i] >= 0 && all;
-  }
+  for_corners(volume.specimen(), cell, [&](int brick) { return volume.sweeps_of(brick); }, [&](int i, const std::int32_t* from, int offset) {
+    ids[i] = from == nullptr ? Volume::kNoSweep : from[offset];
+    all = all && ids[i] >= 0;
+  });
   return all;
 }
 
