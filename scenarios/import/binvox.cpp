@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <fstream>
 #include <sstream>
-#include <system_error>
 
-#include "engine/base/ids.h"
 #include "scenarios/import/header_text.h"
-#include "scenarios/import/left_parts.h"
 #include "scenarios/import/limit_figures.h"
 #include "scenarios/import/packed_data.h"
+#include "scenarios/import/whole_file.h"
 
 namespace cusp::scenarios {
 namespace {
@@ -143,28 +140,7 @@ Result<void, ImportFailure> write_binvox(const Binvox& what, const std::filesyst
     ++run;
   });
   end_run();
-
-  std::filesystem::path part = file;
-  part += "." + Uuid::v7().text() + ".part";
-  std::error_code ec;
-  {
-    errno = 0;
-    std::ofstream out(part, std::ios::binary);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    if (!out) {
-      const std::string why = std::generic_category().message(errno);
-      std::filesystem::remove(part, ec);
-      return fail(ImportError::io, name, why);
-    }
-  }
-  remove_left_parts(file, part);
-  std::filesystem::rename(part, file, ec);
-  if (ec) {
-    const std::string why = ec.message();
-    std::filesystem::remove(part, ec);
-    return fail(ImportError::io, name, why);
-  }
+  if (auto done = write_whole_file(file, bytes); !done) return fail(ImportError::io, name, done.error().message());
   return {};
 }
 

@@ -29,7 +29,7 @@ struct Binvox {
                                                         const VolumeLimits& limits = {});
 [[nodiscard]] Result<Binvox, ImportFailure> read_binvox(const std::filesystem::path& file, const VolumeLimits& limits = {});
 
-/// The old file or the whole new one.
+/// A WholeFile (whole_file.h): the old file or the whole new one.
 [[nodiscard]] Result<void, ImportFailure> write_binvox(const Binvox& what, const std::filesystem::path& file);
 
 /// Labels on cubic voxels. The file has no unit: spacing_known is false, and one unit stands as a millimetre.

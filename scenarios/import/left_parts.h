@@ -1,12 +1,13 @@
-/// What a writer that was killed leaves beside a file: the part that it would have renamed. Any thread but the haptic one.
+/// What a writer that was killed leaves beside a file: the part that it would have renamed (whole_file.h). Any thread but the haptic one.
 #pragma once
 
 #include <filesystem>
 
 namespace cusp::scenarios {
 
-/// Removes the parts of `file` that are a day older than `own`, the part just begun: no writer takes a day. Parts are FILE.ID,
-/// FILE.ID.part and FILE.part-DIGITS, with a UUID or its last 12 digits; any other name stays. Failures are ignored.
+/// Removes the parts of `file` that are a day older than `own`, the part just begun: no writer takes a day. A WholeFile's part is
+/// FILE.part-DIGITS, with the last 12 digits of a UUID; FILE.ID and FILE.ID.part, with all of it, are other versions' parts. Any other
+/// name stays. Failures are ignored.
 void remove_left_parts(const std::filesystem::path& file, const std::filesystem::path& own);
 
 }  // namespace cusp::scenarios

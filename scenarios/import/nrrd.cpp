@@ -1,16 +1,14 @@
 #include "scenarios/import/nrrd.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <fstream>
 #include <system_error>
 
-#include "engine/base/ids.h"
 #include "scenarios/import/label_map.h"
-#include "scenarios/import/left_parts.h"
 #include "scenarios/import/limit_figures.h"
 #include "scenarios/import/nrrd_header.h"
 #include "scenarios/import/packed_data.h"
+#include "scenarios/import/whole_file.h"
 
 namespace cusp::scenarios {
 namespace {
@@ -151,39 +149,22 @@ Result<VoxelVolume, ImportFailure> read_nrrd(std::istream& in, std::uintmax_t by
 Result<void, ImportFailure> write_nrrd(const VoxelVolume& volume, const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   if (auto r = check_writable(volume, name); !r) return r;
-
-  std::filesystem::path part = file;
-  part += "." + Uuid::v7().text() + ".part";
-  const auto give_up = [&](const std::string& detail) {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    return fail(ImportError::io, name, detail);
-  };
-  {
-    errno = 0;
-    std::ofstream out(part, std::ios::binary);
-    if (!out) return fail(ImportError::io, name, std::generic_category().message(errno));
-    remove_left_parts(file, part);
-    const std::string header = nrrd_header_of(volume);
-    out.write(header.data(), static_cast<std::streamsize>(header.size()));
-    PackedSink sink(out);
-    std::vector<std::byte> row(static_cast<std::size_t>(volume.grid.size.x) * 4);
-    for (std::size_t i = 0; i < volume.s.size(); i += static_cast<std::size_t>(volume.grid.size.x)) {
-      for (std::size_t x = 0; x < row.size() / 4; ++x) {
-        row[4 * x] = static_cast<std::byte>(volume.tissue[i + x]);
-        row[4 * x + 1] = std::byte{0};
-        row[4 * x + 2] = static_cast<std::byte>(volume.s[i + x] & 0xff);
-        row[4 * x + 3] = static_cast<std::byte>(volume.s[i + x] >> 8);
-      }
-      sink.write(row);
+  WholeFile whole(file);
+  const auto give_up = [&name](const std::error_code& why) { return fail(ImportError::io, name, why.message()); };
+  if (auto begun = whole.write(nrrd_header_of(volume)); !begun) return give_up(begun.error());
+  PackedSink sink(whole.stream());
+  std::vector<std::byte> row(static_cast<std::size_t>(volume.grid.size.x) * 4);
+  for (std::size_t i = 0; i < volume.s.size(); i += static_cast<std::size_t>(volume.grid.size.x)) {
+    for (std::size_t x = 0; x < row.size() / 4; ++x) {
+      row[4 * x] = static_cast<std::byte>(volume.tissue[i + x]);
+      row[4 * x + 1] = std::byte{0};
+      row[4 * x + 2] = static_cast<std::byte>(volume.s[i + x] & 0xff);
+      row[4 * x + 3] = static_cast<std::byte>(volume.s[i + x] >> 8);
     }
-    const bool written = sink.finish();
-    out.close();
-    if (!written || !out) return give_up(std::generic_category().message(errno));
+    sink.write(row);
   }
-  std::error_code ec;
-  std::filesystem::rename(part, file, ec);
-  if (ec) return give_up(ec.message());
+  sink.finish();
+  if (auto done = whole.finish(); !done) return give_up(done.error());
   return {};
 }
 

@@ -27,9 +27,8 @@ namespace cusp::scenarios {
 [[nodiscard]] Result<VoxelVolume, ImportFailure> read_nrrd(std::istream& in, std::uintmax_t bytes, const std::string& name,
                                                            const VolumeLimits& limits = {});
 
-/// Writes beside the file and renames over it: there is the old file or the whole new one. The same volume gives the
-/// same bytes. Refuses (bad_tissue) what read_nrrd would not give back: codes of no tissue, s > 0 in an empty voxel, a name
-/// for a code below 16.
+/// A WholeFile (whole_file.h): there is the old file or the whole new one. The same volume gives the same bytes. Refuses
+/// (bad_tissue) what read_nrrd would not give back: codes of no tissue, s > 0 in an empty voxel, a name for a code below 16.
 [[nodiscard]] Result<void, ImportFailure> write_nrrd(const VoxelVolume& volume, const std::filesystem::path& file);
 
 }  // namespace cusp::scenarios

@@ -59,8 +59,8 @@ class PackedSink {
   PackedSink& operator=(const PackedSink&) = delete;
 
   void write(std::span<const std::byte> bytes);
-  /// Writes what is left. False when the stream refused anything since the start.
-  [[nodiscard]] bool finish();
+  /// Writes what is left. The stream shows whether it has refused anything.
+  void finish();
 
  private:
   void pump(int flush);

@@ -6,12 +6,11 @@
 #include <spanstream>
 #include <system_error>
 
-#include "engine/base/ids.h"
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
-#include "scenarios/import/left_parts.h"
 #include "scenarios/import/nrrd.h"
+#include "scenarios/import/whole_file.h"
 #include "scenarios/library/tar.h"
 
 namespace cusp::scenarios {
@@ -95,18 +94,10 @@ Result<std::string, ExerciseFileFailure> exercise_file_bytes(const ExerciseFile&
 Result<void, ExerciseFileFailure> write_exercise_file(const ExerciseFile& file, const std::filesystem::path& path) {
   const auto bytes = exercise_file_bytes(file);
   if (!bytes) return std::unexpected(bytes.error());
-  // Another program may write the same name: each has a part of its own. 12 random digits of the id.
-  const std::filesystem::path part = path.string() + ".part-" + Uuid::v7().text().substr(24);
-  std::ofstream out(part, std::ios::binary);
-  out.write(bytes->data(), static_cast<std::streamsize>(bytes->size()));
-  out.close();
-  std::error_code error;
-  if (out) remove_left_parts(path, part);
-  if (out) std::filesystem::rename(part, path, error);
-  if (out && !error) return {};
-  std::error_code ignored;  // the failure is that of writing
-  std::filesystem::remove(part, ignored);
-  return refuse(FormatError::unwritable, path.filename().string(), error ? error.message() : std::string());
+  if (auto done = write_whole_file(path, *bytes); !done) {
+    return refuse(FormatError::unwritable, path.filename().string(), done.error().message());
+  }
+  return {};
 }
 
 Result<ExerciseFile, ExerciseFileFailure> parse_exercise_file(std::string_view bytes) {

@@ -38,7 +38,7 @@ using ExerciseFileFailure = std::variant<FormatFailure, Finding, ImportFailure>;
 
 /// The file's bytes. Refuses what the reader would refuse.
 [[nodiscard]] Result<std::string, ExerciseFileFailure> exercise_file_bytes(const ExerciseFile& file);
-/// Writes beside the path and renames: no half file bears the name.
+/// Writes a WholeFile (scenarios/import/whole_file.h): no half file bears the name.
 [[nodiscard]] Result<void, ExerciseFileFailure> write_exercise_file(const ExerciseFile& file, const std::filesystem::path& path);
 
 /// Bytes of any origin. An exercise with an error of validate() is refused; a volume is read, and validated with it.

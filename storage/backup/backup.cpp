@@ -23,10 +23,6 @@ constexpr const char* kBackupDatabase = "station.db";
 constexpr const char* kBackupKey = "station.db.key";
 constexpr int kBackupFormat = 1;
 
-StorageFailure backup_failure(const std::error_code& error, const fs::path& where) {
-  return {error_from_errno(error.value()), where.string(), error.message()};
-}
-
 /// "cusp-2026-11-20T09-14-03Z": no file system refuses it, and names sort by time.
 std::string name_at(const std::string& what, std::int64_t utc_us) {
   std::string time = iso_utc(utc_us);
@@ -38,7 +34,7 @@ std::string name_at(const std::string& what, std::int64_t utc_us) {
 Stored<fs::path> new_folder(const fs::path& into, const std::string& what, std::int64_t utc_us) {
   std::error_code error;
   fs::create_directories(into, error);
-  if (error) return std::unexpected(backup_failure(error, into));
+  if (error) return std::unexpected(failure_from(error, into));
   for (int n = 1; n < 1000; ++n) {
     const fs::path folder = into / (name_at(what, utc_us) + (n == 1 ? std::string() : "-" + std::to_string(n)));
     const auto made = make_private_folder(folder);
@@ -93,7 +89,7 @@ Stored<Backup> fill(StorageContext& context, const fs::path& folder, std::int64_
   if (!sessions) return std::unexpected(sessions.error());
   std::error_code error;
   const auto bytes = fs::file_size(folder / kBackupDatabase, error);
-  if (error) return std::unexpected(backup_failure(error, folder));
+  if (error) return std::unexpected(failure_from(error, folder));
   const Backup backup{folder, context.station, now, *sessions, bytes};
   const json description = {{"cusp_backup", kBackupFormat}, {"station", backup.station.text()}, {"made_at", now}, {"sessions", backup.sessions}, {"bytes", backup.bytes}};
   if (auto done = write_private_file(folder / kBackupDescription, description.dump()); !done) return std::unexpected(done.error());
@@ -188,7 +184,7 @@ Stored<std::vector<Backup>> backups_in(const fs::path& into, const std::optional
   for (fs::directory_iterator it(into, error), end; !error && it != end; it.increment(error)) {
     if (auto backup = read_backup(it->path()); backup && (!station || backup->station == *station)) out.push_back(std::move(*backup));
   }
-  if (error) return std::unexpected(backup_failure(error, into));
+  if (error) return std::unexpected(failure_from(error, into));
   std::ranges::sort(out, [](const Backup& a, const Backup& b) {
     return std::tie(b.made_utc_us, b.folder) < std::tie(a.made_utc_us, a.folder);
   });
@@ -219,7 +215,7 @@ Stored<void> thin_backups(const fs::path& into, const Uuid& station, std::size_t
   for (const fs::path& folder : going) {
     std::error_code error;
     fs::remove_all(folder, error);
-    if (error && out) out = std::unexpected(backup_failure(error, folder));
+    if (error && out) out = std::unexpected(failure_from(error, folder));
   }
   return out;
 }

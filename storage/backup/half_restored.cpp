@@ -24,17 +24,13 @@ constexpr std::array<const char*, 3> kRestored = {"", ".key", ".key-counter"};
 constexpr std::array<const char*, 6> kBeside = {"", "-wal", "-shm", "-journal", ".key", ".key-counter"};
 constexpr const char* kNote = ".aside";
 
-StorageFailure move_failure(const std::error_code& error, const fs::path& where) {
-  return {error_from_errno(error.value()), where.string(), error.message()};
-}
-
 Stored<void> move_all(const fs::path& from, const fs::path& to, const std::array<const char*, 6>& endings) {
   for (std::size_t i = 0; i < endings.size(); ++i) {
     std::error_code error;
     if (!fs::exists(from.string() + endings[i], error)) continue;
     fs::rename(from.string() + endings[i], to.string() + endings[i], error);
     if (!error) continue;
-    const StorageFailure failure = move_failure(error, from.string() + endings[i]);
+    const StorageFailure failure = failure_from(error, from.string() + endings[i]);
     for (std::size_t moved = i; moved-- > 0;) fs::rename(to.string() + endings[moved], from.string() + endings[moved], error);
     return std::unexpected(failure);
   }
@@ -87,7 +83,7 @@ Stored<void> carry_out(const Note& note, const fs::path& folder, const fs::path&
     // What is in the folder is the old one: the file at the name is the copy's.
     if (fs::exists(to, error) || !fs::exists(from, error)) continue;
     fs::rename(from, to, error);
-    if (error) return std::unexpected(move_failure(error, from));
+    if (error) return std::unexpected(failure_from(error, from));
   }
   const fs::path fresh = folder / file.filename();
   const bool whole = fs::exists(fresh, error) && !fs::exists(fresh.string() + "-wal", error);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "storage/base/error.h"
 
@@ -23,6 +24,9 @@ std::filesystem::path behind_links(const std::filesystem::path& file);
 /// duplicate, else io.
 StorageError error_from_errno(int error) noexcept;
 
+/// What the standard library reports about `where`.
+StorageFailure failure_from(const std::error_code& error, const std::filesystem::path& where);
+
 /// Makes an empty file that only its owner can read, without opening it: a close() drops SQLite's locks. duplicate if it exists.
 Stored<void> make_private_file(const std::filesystem::path& file);
 /// Makes a folder that only its owner can enter. duplicate if the name is taken.
@@ -30,10 +34,6 @@ Stored<void> make_private_folder(const std::filesystem::path& folder);
 
 /// Renames `from` to `to`, in one file system, and syncs the folder. duplicate if `to` exists; `from` then stays.
 Stored<void> rename_new(const std::filesystem::path& from, const std::filesystem::path& to);
-
-/// Waits until the disk holds what the file holds. The failures name the file, and the system's reason; a file system that cannot sync is
-/// none. Not for a database's file: the close() drops SQLite's locks.
-Stored<void> sync_file(const std::filesystem::path& file);
 
 /// Writes a file that only its owner can read; synced when it returns, never half written. duplicate if the file exists.
 Stored<void> write_private_file(const std::filesystem::path& file, const std::string& content);

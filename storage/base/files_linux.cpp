@@ -145,6 +145,10 @@ StorageError error_from_errno(int error) noexcept {
   }
 }
 
+StorageFailure failure_from(const std::error_code& error, const std::filesystem::path& where) {
+  return {error_from_errno(error.value()), where.string(), error.message()};
+}
+
 bool on_network_drive(const std::filesystem::path& folder) {
   struct statfs about{};
   if (statfs(folder.c_str(), &about) != 0) return false;
@@ -189,17 +193,6 @@ Stored<void> rename_new(const std::filesystem::path& from, const std::filesystem
     close(descriptor);
   }
   return {};
-}
-
-Stored<void> sync_file(const std::filesystem::path& file) {
-  int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);  // its mode may let nobody read
-  if (descriptor < 0) return std::unexpected(failure_now(file));
-  Stored<void> result;
-  const bool synced = fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS || errno == ENOSYS;
-  if (!synced) result = std::unexpected(failure_now(file));
-  close(descriptor);
-  return result;
 }
 
 Stored<void> write_private_file(const std::filesystem::path& file, const std::string& content) {

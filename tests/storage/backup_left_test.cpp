@@ -7,8 +7,8 @@
 #include <functional>
 
 #include "storage/backup/backup.h"
+#include "tests/refused_calls.h"
 #include "tests/storage/killed.h"
-#include "tests/storage/refused_calls.h"
 #include "tests/storage/sample.h"
 
 namespace cusp::test {

@@ -10,7 +10,7 @@
 
 #include "storage/backup/backup.h"
 #include "storage/base/files.h"
-#include "tests/storage/refused_calls.h"
+#include "tests/refused_calls.h"
 #include "tests/storage/school.h"
 
 namespace cusp::test {

@@ -5,7 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "ui/session/whole_file.h"
+#include "scenarios/import/whole_file.h"
+#include "storage/base/files.h"
 
 namespace cusp::ui {
 namespace {
@@ -16,14 +17,18 @@ Stored<std::optional<std::size_t>> export_to_file(StorageContext& context, const
   const auto take = [&](std::span<const ExportRow> some, std::size_t all) -> Stored<bool> {
     progress.all = all;
     if (auto done = file.write(history_csv(some, std::exchange(part, CsvPart::further), wanted.options)); !done) {
-      return std::unexpected(done.error());
+      return std::unexpected(failure_from(done.error(), wanted.file));
     }
     progress.done += some.size();
     return !progress.stop;
   };
-  const auto rows = export_rows(context, actor, wanted.filter, take, [&file] { return file.close(); });
+  const auto close = [&]() -> Stored<void> {
+    if (auto done = file.close(); !done) return std::unexpected(failure_from(done.error(), wanted.file));
+    return {};
+  };
+  const auto rows = export_rows(context, actor, wanted.filter, take, close);
   if (!rows || !*rows) return rows;
-  if (auto done = file.finish(); !done) return std::unexpected(done.error());
+  if (auto done = file.finish(); !done) return std::unexpected(failure_from(done.error(), wanted.file));
   return rows;
 }
 
@@ -33,7 +38,7 @@ Stored<std::optional<std::size_t>> write_entries(Store& store, const Actor& acto
     const auto found = wanted.names.find(id);
     return found == wanted.names.end() ? std::string() : found->second;
   };
-  if (auto done = file.write(std::string(kByteOrderMark) + audit_csv_head()); !done) return std::unexpected(done.error());
+  if (auto done = file.write(std::string(kByteOrderMark) + audit_csv_head()); !done) return std::unexpected(failure_from(done.error(), wanted.file));
   std::size_t entries = 0;
   for (std::int64_t before = INT64_MAX; !progress.stop;) {
     const auto some = store.audit.list(actor, kLogEntriesAtOnce, before, wanted.filter);
@@ -42,7 +47,7 @@ Stored<std::optional<std::size_t>> write_entries(Store& store, const Actor& acto
     if (progress.all == 0) progress.all = static_cast<std::size_t>(some->front().number + 1);
     std::string text;
     for (const AuditEntry& entry : *some) text += audit_csv_line(entry, name_of);
-    if (auto done = file.write(text); !done) return std::unexpected(done.error());
+    if (auto done = file.write(text); !done) return std::unexpected(failure_from(done.error(), wanted.file));
     entries += some->size();
     before = some->back().number;
     progress.done = progress.all - std::min<std::size_t>(progress.all, static_cast<std::size_t>(before));
@@ -54,13 +59,13 @@ Stored<std::optional<std::size_t>> export_log_to_file(Store& store, const Actor&
   WholeFile file(wanted.file);
   const auto entries = write_entries(store, actor, wanted, file, progress);
   if (!entries || !*entries) return entries;
-  if (auto done = file.close(); !done) return std::unexpected(done.error());
+  if (auto done = file.close(); !done) return std::unexpected(failure_from(done.error(), wanted.file));
   if (!store.database().read_only()) {
     const auto noted = store.audit.add_if_allowed(
         {.actor = actor.id, .action = "log_exported", .subject = store.context().station, .detail = std::to_string(**entries)}, Action::see_audit_log);
     if (!noted) return std::unexpected(noted.error());
   }
-  if (auto done = file.finish(); !done) return std::unexpected(done.error());
+  if (auto done = file.finish(); !done) return std::unexpected(failure_from(done.error(), wanted.file));
   return entries;
 }
 

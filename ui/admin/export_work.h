@@ -30,9 +30,9 @@ struct AttemptsFile {
   CsvOptions options;
 };
 
-/// export_rows() to a WholeFile: what was there before stays unless all rows are written. How many; nullopt: stopped. `then` is called
-/// on the task's thread. The entry in the audit log comes once the file is written and before it has its name: none of a file that
-/// failed, and no file without one.
+/// export_rows() to a WholeFile (scenarios/import/whole_file.h): what was there before stays unless all rows are written. How many;
+/// nullopt: stopped. `then` is called on the task's thread. The entry in the audit log comes once the file is written and before it
+/// has its name: none of a file that failed, and no file without one.
 BackgroundTask export_in_background(RecordsBeside records, const Actor& actor, AttemptsFile wanted, std::shared_ptr<ExportProgress> progress,
                                     std::function<void(Stored<std::optional<std::size_t>>)> then);
 

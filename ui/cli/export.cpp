@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "scenarios/import/whole_file.h"
 #include "storage/base/clock.h"
 #include "ui/cli/account.h"
 #include "ui/cli/gradebook.h"
@@ -16,7 +17,6 @@
 #include "ui/cli/text.h"
 #include "ui/cli/verb.h"
 #include "ui/modules.h"
-#include "ui/session/whole_file.h"
 #include "ui/text/language.h"
 
 namespace cusp::ui {
@@ -137,8 +137,8 @@ class Output {
   bool finish() { return !file_ || settled(file_->finish()); }
 
  private:
-  bool settled(const Stored<void>& done) const {
-    if (!done) failed(cannot_write(name_, done.error().detail));
+  bool settled(const Result<void, std::error_code>& done) const {
+    if (!done) failed(cannot_write(name_, done.error().message()));
     return done.has_value();
   }
   std::string name_;

@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/ids.h"
+#include "scenarios/import/whole_file.h"
 #include "storage/base/files.h"
 #include "ui/cli/text.h"
 #include "ui/modules.h"
-#include "ui/session/whole_file.h"
 
 namespace cusp::ui {
 
@@ -122,17 +122,19 @@ bool JsonOption::write(const nlohmann::ordered_json& value) const {
 }
 
 Stored<void> write_whole(const std::filesystem::path& file, const std::string& bytes) {
-  WholeFile whole(file);
-  if (auto begun = whole.write(bytes); !begun) return begun;
-  return whole.finish();
+  if (auto done = write_whole_file(file, bytes); !done) return std::unexpected(failure_from(done.error(), file));
+  return {};
 }
 
-Stored<void> can_begin(const std::filesystem::path& file) { return WholeFile(file).write({}); }
+Stored<void> can_begin(const std::filesystem::path& file) {
+  if (auto begun = WholeFile(file).write({}); !begun) return std::unexpected(failure_from(begun.error(), file));
+  return {};
+}
 
 Stored<void> writable_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) return fail(error_from_errno(error.value()), folder.string(), error.message());
+  if (error) return std::unexpected(failure_from(error, folder));
   const std::filesystem::path probe = folder / (".cusp-" + Uuid::v7().text());
   auto written = write_whole(probe, "cusp");
   std::filesystem::remove(probe, error);

@@ -72,7 +72,7 @@ struct JsonOption {
 };
 
 // Failure::detail of each is the system's reason, and nothing is left.
-/// All of it as a WholeFile (ui/session/whole_file.h).
+/// All of it as a WholeFile (scenarios/import/whole_file.h).
 Stored<void> write_whole(const std::filesystem::path& file, const std::string& bytes);
 /// Whether a WholeFile of this name can be begun. Opens a pipe or a device.
 Stored<void> can_begin(const std::filesystem::path& file);

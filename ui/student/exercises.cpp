@@ -1,22 +1,17 @@
 #include "ui/student/exercises.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
+#include <string_view>
 #include <system_error>
 
 #include "scenarios/format/read.h"
+#include "scenarios/import/whole_file.h"
 #include "scenarios/library/library.h"
 #include "storage/base/files.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
 namespace {
-
-/// Cause of a failed write, from errno.
-StorageFailure write_failure(int error, const std::filesystem::path& file) {
-  return {error_from_errno(error), file.string(), error == 0 ? std::string() : std::generic_category().message(error)};
-}
 
 /// Those that come with the program. The first call reads them.
 const std::vector<Exercise>& builtin_exercises() {
@@ -38,19 +33,8 @@ bool asks_for_time(const Scenario& scenario) {
 }
 
 Stored<void> write_beside(const std::filesystem::path& file, const std::vector<std::byte>& bytes) {
-  const std::filesystem::path part = file.string() + ".part";
-  errno = 0;
-  std::ofstream out(part, std::ios::binary);
-  out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  std::error_code error;
-  if (!out) {
-    const StorageFailure failure = write_failure(errno, file);
-    std::filesystem::remove(part, error);
-    return std::unexpected(failure);
-  }
-  std::filesystem::rename(part, file, error);
-  if (error) return std::unexpected(write_failure(error.value(), file));
+  const std::string_view text{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  if (auto done = write_whole_file(file, text); !done) return std::unexpected(failure_from(done.error(), file));
   return {};
 }
 
@@ -100,10 +84,10 @@ Stored<std::filesystem::path> exercise_folder(Store& store, const Exercise& exer
   const std::filesystem::path folder = cache / exercise.version.text();
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) return std::unexpected(write_failure(error.value(), folder));
+  if (error) return std::unexpected(failure_from(error, folder));
   for (const auto& [name, hash] : exercise.files) {
     const std::filesystem::path file = folder / std::filesystem::path(name).filename();
-    // A power cut can leave an empty file: its name may reach the disk before its bytes.
+    // No volume is empty: such a file is what a power cut has left of one.
     if (const auto size = std::filesystem::file_size(file, error); !error && size > 0) continue;
     const auto bytes = store.blobs.get(hash);
     if (!bytes) return std::unexpected(bytes.error());

@@ -40,7 +40,7 @@ Stored<std::filesystem::path> exercise_folder(Store& store, const Exercise& exer
 /// Whether an attempt's time brings points.
 bool asks_for_time(const Scenario& scenario);
 
-/// Writes beside the name and renames: a failure leaves what was there, and no half file.
+/// A WholeFile (scenarios/import/whole_file.h): a failure leaves what was there, and no half file.
 Stored<void> write_beside(const std::filesystem::path& file, const std::vector<std::byte>& bytes);
 
 }  // namespace cusp::ui

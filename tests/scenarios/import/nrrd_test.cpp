@@ -118,9 +118,9 @@ TEST(Nrrd, AMissingFolderIsReported) {
   EXPECT_EQ(r.error().code, ImportError::io);
 }
 
-TEST(Nrrd, AWriteThatFailsAtItsLastStepLeavesNothingBehind) {
+TEST(Nrrd, AFolderOfTheNameIsReportedAndNothingLiesBesideIt) {
   const TempFolder folder;
-  std::filesystem::create_directory(folder / "v.nrrd");  // a file cannot be renamed over a folder
+  std::filesystem::create_directory(folder / "v.nrrd");
   const auto r = write_nrrd(random_volume(3), folder / "v.nrrd");
   ASSERT_FALSE(r);
   EXPECT_EQ(r.error().code, ImportError::io);

@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <functional>
+#include <thread>
 
 #include "scenarios/blocks/blocks.h"
 #include "scenarios/format/write.h"
@@ -14,6 +17,7 @@
 #include "scenarios/library/tar.h"
 #include "tests/modules.h"
 #include "tests/random.h"
+#include "tests/refused_calls.h"
 #include "tests/scenarios/import/mesh_files.h"
 
 namespace cusp::test {
@@ -117,6 +121,21 @@ TEST_F(ExerciseFiles, AreWrittenBesideWhatBearsTheNameOfAPart) {
   std::filesystem::create_directory(folder / "a.cusp.part");
   EXPECT_TRUE(write_exercise_file({*load_builtin("channel-1"), {}}, folder / "a.cusp"));
   EXPECT_TRUE(read_exercise_file(folder / "a.cusp"));
+}
+
+TEST_F(ExerciseFiles, TakeNoNameUntilTheDiskHoldsThem) {
+  const TempFolder folder;
+  write_text(folder / "a.cusp", "old");
+  bool refused = false;
+  std::string reason;
+  std::thread([&] {
+    refused = refuse_calls({{SYS_fsync, EIO}});
+    if (const auto written = write_exercise_file(volume, folder / "a.cusp"); !written) reason = std::get<FormatFailure>(written.error()).detail;
+  }).join();
+  if (!refused) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  EXPECT_EQ(reason, std::strerror(EIO));
+  EXPECT_EQ(read_text(folder / "a.cusp"), "old");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1) << "a part is left";
 }
 
 TEST_F(ExerciseFiles, AreNamedInLettersOfEitherCase) {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <QDir>
-#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -170,34 +169,6 @@ TEST_F(Pages, a_briefing_offers_no_reference_where_nothing_can_be_shown_or_cut) 
   EXPECT_EQ(Briefing(exercise, pictures, {}, nullptr).watch_button(), nullptr);
   exercise.scenario.target = {};
   EXPECT_EQ(Briefing(exercise, pictures, {}, std::make_shared<ToothCache>(std::filesystem::path())).watch_button(), nullptr);
-}
-
-TEST_F(Pages, a_file_of_an_exercise_that_cannot_be_written_is_not_called_a_full_disk) {
-  QFile in_the_way(QDir(cache.path()).filePath(QStringLiteral("not-a-folder")));
-  ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
-  Exercise exercise;
-  exercise.version = VersionId::make();
-  const auto hash = records.store().blobs.put(std::vector<std::byte>(8));
-  ASSERT_TRUE(hash);
-  exercise.files["tooth.nrrd"] = *hash;
-  const auto folder = exercise_folder(records.store(), exercise, in_the_way.fileName().toStdString());
-  ASSERT_FALSE(folder);
-  EXPECT_EQ(folder.error().code, StorageError::io);
-  EXPECT_EQ(folder.error().detail, "Not a directory");
-}
-
-TEST_F(Pages, a_file_of_an_exercise_that_a_power_cut_left_empty_is_written_anew) {
-  Exercise exercise;
-  exercise.version = VersionId::make();
-  const auto hash = records.store().blobs.put(std::vector<std::byte>(8));
-  ASSERT_TRUE(hash);
-  exercise.files["tooth.nrrd"] = *hash;
-  const std::filesystem::path volumes = cache.path().toStdString();
-  const auto folder = exercise_folder(records.store(), exercise, volumes);
-  ASSERT_TRUE(folder);
-  std::filesystem::resize_file(*folder / "tooth.nrrd", 0);
-  ASSERT_TRUE(exercise_folder(records.store(), exercise, volumes));
-  EXPECT_EQ(std::filesystem::file_size(*folder / "tooth.nrrd"), 8u);
 }
 
 TEST_F(Pages, the_exercises_stand_in_groups_teeth_before_blocks) {
