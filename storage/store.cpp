@@ -9,13 +9,6 @@
 namespace cusp::storage {
 namespace {
 
-/// Beside the file itself; beside the link that leads to it if the key lies there alone.
-std::filesystem::path key_file_of(const std::filesystem::path& file, const std::filesystem::path& real) {
-  std::error_code ignored;
-  const std::filesystem::path own = real.string() + ".key", linked = file.string() + ".key";
-  return !std::filesystem::exists(own, ignored) && std::filesystem::exists(linked, ignored) ? linked : own;
-}
-
 Stored<StationKey> read_or_make_key(const std::filesystem::path& file) {
   auto content = read_private_file(file);
   if (!content) return std::unexpected(content.error());
@@ -63,6 +56,12 @@ Stored<void> ready_station(StorageContext& context, const std::filesystem::path&
 
 }  // namespace
 
+std::filesystem::path station_key_file(const std::filesystem::path& database) {
+  std::error_code ignored;
+  const std::filesystem::path own = behind_links(database).string() + ".key", linked = database.string() + ".key";
+  return !std::filesystem::exists(own, ignored) && std::filesystem::exists(linked, ignored) ? linked : own;
+}
+
 Store::Store(StorageContext context)
     : context_{std::move(context)},
       audit{context_},
@@ -92,7 +91,7 @@ Stored<std::unique_ptr<Store>> Store::open(const std::filesystem::path& file, St
       StorageContext{std::move(*database), std::move(options.clock), options.cost, Uuid{}, std::nullopt});
   StorageContext& context = store->context();
   if (options.tries) context.tries = std::move(options.tries);
-  const auto key_file = options.key_file.empty() ? key_file_of(file, real) : options.key_file;
+  const auto key_file = options.key_file.empty() ? station_key_file(file) : options.key_file;
   context.key_file = key_file;
   context.counter_file = counter_file_of(key_file);
   if (context.db.read_only()) {

@@ -24,11 +24,14 @@
 
 namespace cusp::storage {
 
+/// The station's secret key of a database: beside the file itself, or beside the link that leads to it if the key lies there alone.
+std::filesystem::path station_key_file(const std::filesystem::path& database);
+
 struct StoreOptions {
   DatabaseOptions database{};
   UtcClock clock = system_utc_us;
   PasswordCost cost = PasswordCost::interactive();
-  std::filesystem::path key_file{};  // of the station's secret key; empty = the database's name with ".key" added
+  std::filesystem::path key_file{};  // of the station's secret key; empty: station_key_file() of the database
   bool mark_interrupted = true;      // opening adds the event "interrupted" to sessions whose process has ended
   std::shared_ptr<UnwrittenTries> tries{};  // of another store of the same records; none: its own
 };

@@ -22,10 +22,10 @@ namespace {
 constexpr int kBackupLookMs = 60'000;  // between two looks at whether a backup is due
 constexpr int kBackupRetryS = 3'600;   // after one that failed: on a full disk each try copies until there is no room
 
-/// Whether the records themselves are damaged: only a backup helps. A file that is no database, without a key beside it, was never theirs.
+/// Whether the records themselves are damaged: only a backup helps. A file that is no database, and has no key, was never theirs.
 bool is_damage(const StorageFailure& failure, const std::filesystem::path& database) {
   std::error_code ignored;
-  const bool theirs = std::filesystem::exists(database.string() + ".key", ignored);
+  const bool theirs = std::filesystem::exists(station_key_file(database), ignored);
   return failure.code == StorageError::corrupt || failure.code == StorageError::bad_statement ||
          (failure.code == StorageError::not_a_database && theirs);
 }

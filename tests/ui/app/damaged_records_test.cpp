@@ -7,6 +7,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <filesystem>
+#include <fstream>
+
 #include "storage/backup/backup.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
@@ -71,6 +74,45 @@ TEST_F(DamagedRecords, offer_a_way_back_to_a_backup_and_stay_beside_it) {
   for (const auto& entry : std::filesystem::directory_iterator(file.parent_path()))
     kept = kept || (entry.path().filename().string().starts_with("school.db-damaged-") && std::filesystem::file_size(entry.path() / "school.db") == 5000);
   EXPECT_TRUE(kept);
+}
+
+TEST_F(DamagedRecords, behind_a_link_offer_the_same_way_back) {
+  settings.set_backup_folder(folder.filePath(QStringLiteral("backups")));
+  const auto backup = make_backup(records.store().context(), records.administrator().actor(), settings.backup_folder(records.file()));
+  ASSERT_TRUE(backup);
+  const std::filesystem::path link = folder.filePath(QStringLiteral("school.db")).toStdString();
+  const std::filesystem::path file = link.parent_path() / "disk" / "school.db";
+  std::filesystem::create_directory(file.parent_path());
+  ASSERT_TRUE(restore_backup(*backup, file));
+  std::filesystem::create_symlink("disk/school.db", link);
+  std::fstream(file, std::ios::binary | std::ios::in | std::ios::out) << std::string(100, 'x');  // the whole header of an SQLite file
+  const Ports ports = agreeing();
+  for (const std::filesystem::path& name : {file, link}) {
+    desktop.reset();
+    desktop = std::make_unique<Desktop>(settings, ports, name);
+    desktop->start();
+    desktop->show();
+    ASSERT_NE(qobject_cast<WayBack*>(desktop->page()), nullptr) << name;
+  }
+  qobject_cast<WayBack*>(desktop->page())->act()->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return qobject_cast<SignIn*>(desktop->page()) != nullptr; }, 60'000));
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  bool kept = false;
+  for (const auto& entry : std::filesystem::directory_iterator(file.parent_path()))
+    kept = kept || entry.path().filename().string().starts_with("school.db-damaged-");
+  EXPECT_TRUE(kept);
+}
+
+TEST_F(DamagedRecords, that_are_no_database_and_have_no_key_are_refused) {
+  const std::filesystem::path file = folder.filePath(QStringLiteral("notes.db")).toStdString(), link = folder.filePath(QStringLiteral("link.db")).toStdString();
+  std::ofstream(file) << std::string(5000, 'x');
+  std::filesystem::create_symlink("notes.db", link);
+  for (const std::filesystem::path& name : {file, link}) {
+    desktop.reset();
+    desktop = std::make_unique<Desktop>(settings, Ports::of_the_system(), name);
+    desktop->start();
+    EXPECT_EQ(qobject_cast<WayBack*>(desktop->page()), nullptr) << name;
+  }
 }
 
 TEST_F(DamagedRecords, stay_where_they_are_if_the_backup_is_damaged_too) {
