@@ -83,7 +83,7 @@ Store::Store(StorageContext context)
 Stored<std::unique_ptr<Store>> Store::open(const std::filesystem::path& file, StoreOptions options) {
   // Key, counter and lock file of one database are the same under each name that leads to it.
   const std::filesystem::path real = behind_links(file);
-  // A restore in place that was killed leaves no database at the name, as before a first start.
+  // A restore that was killed leaves no database at the name, as before a first start.
   if (auto finished = finish_half_done(real); !finished) return std::unexpected(finished.error());
   auto database = Database::open(real, options.database);
   if (!database) return std::unexpected(database.error());

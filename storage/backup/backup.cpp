@@ -244,8 +244,18 @@ Stored<void> restore_beside(const Backup& backup, const fs::path& file, const Fi
 }  // namespace
 
 Stored<void> restore_backup(const Backup& backup, const fs::path& file, const FinishRestored& finish) {
+  const auto finished = finish_half_done(file);
+  if (finished && *finished) return fail(StorageError::duplicate, file.string(), "finished");
+  // While another restore takes the names, one of them is a duplicate.
+  if (!finished && finished.error().code != StorageError::busy) return std::unexpected(finished.error());
   if (auto free = nothing_beside(file); !free) return free;
-  return restore_beside(backup, file, finish, [&file](const fs::path& fresh) { return name_restored(fresh, file); });
+  return restore_beside(backup, file, finish, [&file](const fs::path& fresh) -> Stored<void> {
+    const ProcessMark mark(lock_of_half_done(fresh));
+    if (auto noted = note_half_done(fresh, file, {}, mark.text()); !noted) return noted;
+    auto named = name_restored(fresh, file);
+    if (!named) take_note_back(fresh);
+    return named;
+  });
 }
 
 namespace {

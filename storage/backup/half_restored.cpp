@@ -39,7 +39,7 @@ Stored<void> move_all(const fs::path& from, const fs::path& to, const std::array
 
 struct Note {
   std::string process;
-  fs::path aside;                    // the database's name there
+  fs::path aside;                    // the database's name there; empty: nothing stood at the name
   std::vector<std::string> endings;  // of what stood at the name
 };
 
@@ -50,10 +50,30 @@ std::optional<Note> read_note(const fs::path& folder, const fs::path& file) {
   std::istringstream in(**content);
   Note note;
   std::string ending;
-  if (!std::getline(in, note.process) || !std::getline(in, ending) || !ending.starts_with(kAside)) return std::nullopt;
+  if (!std::getline(in, note.process) || !std::getline(in, ending) || !(ending.empty() || ending.starts_with(kAside))) return std::nullopt;
+  if (ending.empty()) return note;
   note.aside = folder.parent_path() / (file.filename().string() + ending) / file.filename();
   while (std::getline(in, ending)) note.endings.push_back(ending);
   return note;
+}
+
+/// Whether all of the copy is in its database: SQLite keeps its log if closing could not write all of it there.
+bool is_whole(const fs::path& fresh) {
+  std::error_code error;
+  return fs::exists(fresh, error) && !fs::exists(fresh.string() + "-wal", error);
+}
+
+/// Whether key or counter of the copy has its name, and neither name is another file's.
+bool has_begun_naming(const fs::path& from, const fs::path& to) {
+  bool begun = false;
+  for (std::size_t i = 1; i < kRestored.size(); ++i) {
+    const fs::path made = from.string() + kRestored[i], name = to.string() + kRestored[i];
+    std::error_code error;
+    if (!fs::exists(name, error)) continue;
+    if (fs::exists(made, error) && !fs::equivalent(made, name, error)) return false;
+    begun = true;
+  }
+  return begun;
 }
 
 /// A process that is killed while a name is taken may leave two links to one file.
@@ -72,9 +92,10 @@ Stored<void> name_rest(const fs::path& from, const fs::path& to) {
 }
 
 Stored<void> carry_out(const Note& note, const fs::path& folder, const fs::path& file) {
-  if (process_runs(note.process, lock_of_half_done(folder / file.filename()))) return fail(StorageError::busy, file.string());
+  const fs::path fresh = folder / file.filename();
+  if (process_runs(note.process, lock_of_half_done(fresh))) return fail(StorageError::busy, file.string());
   // Of two programs that start at once, one carries it out.
-  const auto alone = hold_alone(note.aside);
+  const auto alone = hold_alone(note.aside.empty() ? fresh : note.aside);
   if (!alone) return fail(StorageError::busy, file.string());
   if (!is_half_done(folder, file)) return {};
   std::error_code error;
@@ -85,9 +106,7 @@ Stored<void> carry_out(const Note& note, const fs::path& folder, const fs::path&
     fs::rename(from, to, error);
     if (error) return std::unexpected(failure_from(error, from));
   }
-  const fs::path fresh = folder / file.filename();
-  const bool whole = fs::exists(fresh, error) && !fs::exists(fresh.string() + "-wal", error);
-  auto done = whole ? name_rest(fresh, file) : move_home(note.aside, file);
+  auto done = note.aside.empty() || is_whole(fresh) ? name_rest(fresh, file) : move_home(note.aside, file);
   if (done) fs::remove_all(folder, error);
   return done;
 }
@@ -130,6 +149,7 @@ Stored<void> name_restored(const fs::path& from, const fs::path& to) {
 fs::path lock_of_half_done(const fs::path& fresh) { return fresh.string() + ".restoring"; }
 
 Stored<void> note_half_done(const fs::path& fresh, const fs::path& file, const fs::path& aside, const std::string& process) {
+  if (aside.empty()) return replace_private_file(fresh.string() + kNote, process + "\n\n");
   std::error_code error;
   std::string text = process + '\n' + aside.filename().string().substr(file.filename().string().size()) + '\n';
   for (std::size_t i = 1; i < kBeside.size(); ++i)
@@ -137,27 +157,37 @@ Stored<void> note_half_done(const fs::path& fresh, const fs::path& file, const f
   return replace_private_file(fresh.string() + kNote, text);
 }
 
+void take_note_back(const fs::path& fresh) {
+  std::error_code ignored;
+  fs::remove(fresh.string() + kNote, ignored);
+}
+
 bool is_half_done(const fs::path& folder, const fs::path& file) {
   std::error_code error;
   if (fs::exists(file, error)) return false;
   const auto note = read_note(folder, file);
-  return note && fs::exists(note->aside, error);
+  if (!note) return false;
+  if (!note->aside.empty()) return fs::exists(note->aside, error);
+  const fs::path fresh = folder / file.filename();
+  return is_whole(fresh) && has_begun_naming(fresh, file);
 }
 
-Stored<void> finish_half_done(const fs::path& file) {
+Stored<bool> finish_half_done(const fs::path& file) {
   std::error_code error;
-  if (file.empty() || fs::exists(file, error)) return {};
+  if (file.empty() || fs::exists(file, error)) return false;
   std::vector<fs::path> due;
   for (fs::directory_iterator it(fs::absolute(file, error).parent_path(), error), end; !error && it != end; it.increment(error)) {
     const std::string name = it->path().filename().string();
     if (!name.starts_with(kRestoring) || !Uuid::parse(std::string_view(name).substr(kRestoring.size()))) continue;
     if (is_half_done(it->path(), file)) due.push_back(it->path());
   }
-  if (due.empty()) return {};
+  if (due.empty()) return false;
   // UUIDs of version 7 sort by time: an older note was left where another restore took the name.
   const fs::path folder = *std::ranges::max_element(due);
   const auto note = read_note(folder, file);
-  return note ? carry_out(*note, folder, file) : Stored<void>{};
+  if (!note) return false;
+  if (auto done = carry_out(*note, folder, file); !done) return std::unexpected(done.error());
+  return true;
 }
 
 }  // namespace cusp::storage

@@ -1,4 +1,4 @@
-/// The moves of a restore in place: damaged files go to a folder beside, then the copy's files take their names. A process may be killed
+/// The moves of a restore: in place, damaged files go to a folder beside; then the copy's files take their names. A process may be killed
 /// between any two of them; a note in the copy's folder names those that are due. Within storage only.
 /// Thread: any.
 #pragma once
@@ -27,12 +27,15 @@ Stored<void> name_restored(const std::filesystem::path& from, const std::filesys
 
 /// Locked while the process lives that carries out the note.
 std::filesystem::path lock_of_half_done(const std::filesystem::path& fresh);
-/// Writes the note: `fresh` is to take the name `file` once what stands there is in `aside`. `process`: ProcessMark::text().
+/// Writes the note: `fresh` is to take the name `file` once what stands there is in `aside`; empty: nothing stands there. `process`:
+/// ProcessMark::text().
 Stored<void> note_half_done(const std::filesystem::path& fresh, const std::filesystem::path& file, const std::filesystem::path& aside,
                             const std::string& process);
-/// Whether the folder's note is due: no database stands at the name, and `aside` holds it.
+/// After a failure that left no name taken.
+void take_note_back(const std::filesystem::path& fresh);
+/// Whether the folder's note is due: no database stands at the name, and `aside` holds it; without one, key or counter has its name.
 bool is_half_done(const std::filesystem::path& folder, const std::filesystem::path& file);
-/// If a note is due, moves and names the rest. busy while its process lives. Does nothing where a database stands.
-Stored<void> finish_half_done(const std::filesystem::path& file);
+/// If a note is due, moves and names the rest. busy while its process lives. False: none was due, as where a database stands.
+Stored<bool> finish_half_done(const std::filesystem::path& file);
 
 }  // namespace cusp::storage

@@ -33,7 +33,8 @@ enum class StorageError : std::uint8_t {
   weak_password,       // fewer than 8 characters, or a PIN that is not six digits
   last_administrator,  // would leave no enabled administrator
   // Rows
-  duplicate,    // number, name or version exists already, or a file; detail "number": where = an account's number that a file brings
+  duplicate,    // number, name or version exists already, or a file; detail "number": where = an account's number that a file brings;
+                // detail "finished": an earlier restore to where
   bad_value,    // outside the range that the table admits
   wrong_state,  // the session is not in a state that allows this (finished twice, a gap in ticks)
   bad_trace,    // bytes that are not a trace, key state or volume

@@ -24,6 +24,12 @@ struct BackupLeftTest : ::testing::Test {
   fs::path into() { return folder / "backups"; }
   Uuid station() { return store->context().station; }
   Backup make() { return must(make_backup(store->context(), administrator, into())); }
+  /// Beside the database; empty if there is none.
+  fs::path folder_named(const std::string& prefix) {
+    for (const auto& entry : fs::directory_iterator(into().parent_path()))
+      if (entry.path().filename().string().starts_with(prefix)) return entry.path();
+    return {};
+  }
 };
 
 TEST_F(BackupLeftTest, that_was_cut_off_goes_a_day_later_for_it_holds_a_key) {
@@ -112,7 +118,24 @@ TEST_F(BackupLeftTest, takes_the_place_of_the_file_that_a_link_leads_to) {
   EXPECT_TRUE(must(verify_store(open(link, quick(now))->context())).intact());
 }
 
-/// A restore in place that is killed once nothing stands at the database's name any more: its first file takes its name by a hard link.
+/// Kills a process that calls `restore` with work on the copy, when the copy's first file takes its name by a hard link. False where the
+/// kernel admits no filter.
+bool is_killed_at_its_first_name(const std::function<void(const FinishRestored&)>& restore) {
+  std::vector<RefusedCall> links = {{SYS_linkat, kKills}};
+#ifdef SYS_link
+  links.push_back({SYS_link, kKills});
+#endif
+  const Killed killed = kill_after(2, 0, [&](const std::function<bool()>& step) {
+    restore([&](const fs::path&) -> Stored<void> {
+      refuse_calls(links);
+      return {};
+    });
+    static_cast<void>(step());
+  });
+  return killed.by_signal && killed.steps == 0;
+}
+
+/// A restore in place that is killed once nothing stands at the database's name any more.
 struct RestoreKilled : BackupLeftTest {
   const Account lena = make_student(*store);
   const SessionId session = complete_session(*store, lena, keep(*store));
@@ -120,29 +143,12 @@ struct RestoreKilled : BackupLeftTest {
   const fs::path file = folder / "a.db";
   std::uintmax_t half = 0;
 
-  /// Empty if there is none.
-  fs::path folder_named(const std::string& prefix) {
-    for (const auto& entry : fs::directory_iterator(file.parent_path()))
-      if (entry.path().filename().string().starts_with(prefix)) return entry.path();
-    return {};
-  }
   /// False where the kernel admits no filter.
   bool is_killed() {
     store.reset();
     half = fs::file_size(file) / 2;
     fs::resize_file(file, half);
-    std::vector<RefusedCall> links = {{SYS_linkat, kKills}};
-#ifdef SYS_link
-    links.push_back({SYS_link, kKills});
-#endif
-    const Killed killed = kill_after(2, 0, [&](const std::function<bool()>& step) {
-      static_cast<void>(restore_in_place(backup, file, *now, [&](const fs::path&) -> Stored<void> {
-        refuse_calls(links);
-        return {};
-      }));
-      static_cast<void>(step());
-    });
-    return killed.by_signal && killed.steps == 0;
+    return is_killed_at_its_first_name([&](const FinishRestored& finish) { static_cast<void>(restore_in_place(backup, file, *now, finish)); });
   }
   void expect_restored() {
     store = open(file, quick(now));
@@ -182,6 +188,91 @@ TEST_F(RestoreKilled, whose_copy_is_gone_gives_the_old_database_its_name_back) {
   EXPECT_FALSE(Store::open(file, quick(now)));
   EXPECT_EQ(fs::file_size(file), half);
   EXPECT_TRUE(fs::exists(file.string() + ".key"));
+}
+
+/// A restore to a new name that is killed there.
+struct NewNameKilled : BackupLeftTest {
+  const Account lena = make_student(*store);
+  const SessionId session = complete_session(*store, lena, keep(*store));
+  const Backup backup = make();
+  fs::path file;
+
+  /// False where the kernel admits no filter. Then come as many of the calls that name the copy: counter, key and database each get
+  /// their name by a hard link, then lose the old one.
+  bool is_killed(int calls) {
+    store.reset();
+    file = folder / ("new" + std::to_string(calls) + ".db");
+    if (!is_killed_at_its_first_name([&](const FinishRestored& finish) { static_cast<void>(restore_backup(backup, file, finish)); })) return false;
+    const std::string copy = (folder_named(".cusp-restore-") / file.filename()).string();
+    for (const char* ending : {".key-counter", ".key", ""}) {
+      if (calls-- > 0) fs::create_hard_link(copy + ending, file.string() + ending);
+      if (calls-- > 0) fs::remove(copy + ending);
+    }
+    return true;
+  }
+  void expect_restored() {
+    StoreOptions options = quick(now);
+    options.database.access = DatabaseOptions::Access::existing;
+    store = open(file, options);
+    EXPECT_EQ(must(store->history.details(lena.actor(), session)).row.score, 81.5);
+    EXPECT_FALSE(store->context().incident);
+    EXPECT_EQ(must(store->accounts.sign_in("admin", "correct horse")).id, administrator.id);
+    EXPECT_TRUE(must(verify_store(store->context())).intact());
+  }
+  void remove_left() { fs::remove_all(folder_named(".cusp-restore-")); }
+};
+
+TEST_F(NewNameKilled, between_its_names_is_finished_by_the_next_start) {
+  for (const int calls : {1, 2, 3, 4}) {
+    SCOPED_TRACE(calls);
+    if (!is_killed(calls)) GTEST_SKIP() << "the kernel admits no filter of system calls";
+    ASSERT_FALSE(fs::exists(file));
+    expect_restored();
+    EXPECT_EQ(folder_named(".cusp-restore-"), fs::path());
+  }
+}
+
+TEST_F(NewNameKilled, between_its_names_is_finished_by_the_next_restore_which_names_that) {
+  for (const int calls : {1, 2, 3, 4}) {
+    SCOPED_TRACE(calls);
+    if (!is_killed(calls)) GTEST_SKIP() << "the kernel admits no filter of system calls";
+    const auto again = restore_backup(backup, file);
+    ASSERT_EQ(code_of(again), StorageError::duplicate);
+    EXPECT_EQ(again.error().detail, "finished");
+    EXPECT_EQ(again.error().where, file.string());
+    EXPECT_EQ(folder_named(".cusp-restore-"), fs::path());
+    expect_restored();
+  }
+}
+
+TEST_F(NewNameKilled, before_its_first_name_leaves_the_name_free) {
+  if (!is_killed(0)) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  StoreOptions options = quick(now);
+  options.database.access = DatabaseOptions::Access::existing;
+  EXPECT_EQ(code_of(Store::open(file, options)), StorageError::not_found);
+  must(restore_backup(backup, file));
+  expect_restored();
+}
+
+TEST_F(NewNameKilled, after_its_last_name_has_restored_the_database) {
+  for (const int calls : {5, 6}) {
+    SCOPED_TRACE(calls);
+    if (!is_killed(calls)) GTEST_SKIP() << "the kernel admits no filter of system calls";
+    const auto again = restore_backup(backup, file);
+    EXPECT_EQ(code_of(again), StorageError::duplicate);
+    EXPECT_EQ(again.error().detail, "") << "nothing was left to finish";
+    expect_restored();
+    remove_left();
+  }
+}
+
+TEST_F(NewNameKilled, before_its_first_name_claims_no_key_that_comes_later) {
+  if (!is_killed(0)) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  std::ofstream(file.string() + ".key") << "another";
+  const auto again = restore_backup(backup, file);
+  EXPECT_EQ(code_of(again), StorageError::duplicate);
+  EXPECT_EQ(again.error().where, file.string() + ".key");
+  EXPECT_FALSE(fs::exists(file));
 }
 
 TEST_F(BackupLeftTest, a_first_start_beside_records_that_a_person_put_aside_is_a_first_start) {

@@ -60,8 +60,11 @@ int restore(const BackupOptions& o) {
   }
   const auto done = restore_backup(*backup, o.to, [&backup](const std::filesystem::path& database) { return finish_restored(*backup, database); });
   if (!done && done.error().code == StorageError::duplicate) {
-    return failed(CliText::tr("%1 is there already. Restore to a new name; nothing was changed.")
-                      .arg(QString::fromStdString(done.error().where)));
+    const QString name = QString::fromStdString(done.error().where);
+    if (done.error().detail == "finished") {
+      return failed(CliText::tr("An earlier restore to %1 was interrupted. It is now finished; this backup was not restored.").arg(name));
+    }
+    return failed(CliText::tr("%1 is there already. Restore to a new name; nothing was changed.").arg(name));
   }
   if (!done) return failed(describe(done.error()));
   if (!o.json.write(backup_json(*backup))) return kFailed;
