@@ -96,9 +96,12 @@ Stored<Backup> fill(StorageContext& context, const fs::path& folder, std::int64_
   return backup;
 }
 
-void remove_new(const fs::path& made) {
-  std::error_code ignored;
-  fs::remove_all(made, ignored);
+/// The description goes first: a program that is killed here leaves an unfinished folder, and no backup that lacks its key.
+std::error_code remove_copy(const fs::path& folder) {
+  std::error_code error;
+  fs::remove(folder / kBackupDescription, error);
+  if (!error) fs::remove_all(folder, error);
+  return error;
 }
 
 /// corrupt if the file is there and holds no whole key.
@@ -138,7 +141,7 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
   if (!folder) return std::unexpected(folder.error());
   auto backup = fill(context, *folder, now);
   if (!backup) {
-    remove_new(*folder);
+    remove_copy(*folder);
     return backup;
   }
   if (context.db.read_only()) return backup;
@@ -148,7 +151,7 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
             {.actor = actor ? actor->id : UserId{}, .action = "backed_up", .subject = context.station,
              .detail = std::to_string(backup->sessions)});
   if (auto done = commit_sealed(context, transaction); !done) {
-    remove_new(*folder);
+    remove_copy(*folder);
     return std::unexpected(done.error());
   }
   // A restore that succeeded at the second try is the last one of its name.
@@ -213,8 +216,7 @@ Stored<void> thin_backups(const fs::path& into, const Uuid& station, std::size_t
   for (std::size_t i = keep; i < all->size(); ++i) going.push_back((*all)[i].folder);
   Stored<void> out;
   for (const fs::path& folder : going) {
-    std::error_code error;
-    fs::remove_all(folder, error);
+    const std::error_code error = remove_copy(folder);
     if (error && out) out = std::unexpected(failure_from(error, folder));
   }
   return out;
@@ -235,7 +237,7 @@ Stored<void> restore_beside(const Backup& backup, const fs::path& file, const Fi
   if (done && finish) done = finish(fresh);
   if (done) done = take_name(fresh);
   // Without a database at the name, the next start needs the note.
-  if (!is_half_done(folder, file)) remove_new(folder);
+  if (!is_half_done(folder, file)) remove_copy(folder);
   // People know the name that they gave, not the folder.
   if (!done && done.error().where.starts_with(folder.string())) done.error().where = file.string();
   return done;

@@ -1,10 +1,12 @@
 /// What a backup or a restore that was cut off leaves: it holds a secret key, and goes a day later. Records in use stay in their place.
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <thread>
 
 #include "storage/backup/backup.h"
 #include "tests/refused_calls.h"
@@ -15,6 +17,13 @@ namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A folder that nobody has written to for two days.
+void age(const fs::path& folder) {
+  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(48);
+  for (const auto& file : fs::directory_iterator(folder)) fs::last_write_time(file.path(), long_ago);
+  fs::last_write_time(folder, long_ago);
+}
 
 struct BackupLeftTest : ::testing::Test {
   Folder folder;
@@ -40,28 +49,43 @@ TEST_F(BackupLeftTest, that_was_cut_off_goes_a_day_later_for_it_holds_a_key) {
   fs::remove(cut_off.folder / "backup.json");
   must(thin_backups(into(), station(), 1, *now));
   EXPECT_TRUE(fs::exists(cut_off.folder)) << "somebody may be writing it";
-  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(48);
-  for (const fs::path& one : {cut_off.folder, of_others}) {
-    for (const auto& file : fs::directory_iterator(one)) fs::last_write_time(file.path(), long_ago);
-    fs::last_write_time(one, long_ago);
-  }
+  for (const fs::path& one : {cut_off.folder, of_others}) age(one);
   must(thin_backups(into(), station(), 1, *now));
   EXPECT_FALSE(fs::exists(cut_off.folder));
   EXPECT_TRUE(fs::exists(of_others));
 }
 
+#ifdef SYS_unlink  // elsewhere the first call that removes is also the next one's
+TEST_F(BackupLeftTest, that_was_removed_in_part_is_none_and_goes_a_day_later) {
+  const Backup old = make();
+  *now += 1'000'000;
+  const Backup newest = make();
+  bool refused = false;
+  Stored<void> thinned;
+  std::thread([&, own = station()] {
+    refused = refuse_calls({{SYS_unlinkat, EPERM}});
+    if (refused) thinned = thin_backups(into(), own, 1, *now);
+  }).join();
+  if (!refused) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  ASSERT_EQ(code_of(thinned), StorageError::read_only);
+  EXPECT_EQ(thinned.error().where, old.folder.string());
+  EXPECT_EQ(code_of(read_backup(old.folder)), StorageError::not_found);
+  EXPECT_EQ(must(backups_in(into(), station())).size(), 1u);
+  age(old.folder);
+  must(thin_backups(into(), station(), 1, *now));
+  EXPECT_FALSE(fs::exists(old.folder));
+  EXPECT_TRUE(fs::exists(newest.folder));
+}
+#endif
+
 TEST_F(BackupLeftTest, restoring_takes_away_what_a_restore_of_the_name_left_a_day_ago) {
   const Backup backup = make();
   const fs::path left_over = folder / (".cusp-restore-" + Uuid::v7().text()), running = folder / (".cusp-restore-" + Uuid::v7().text()),
                  of_another = folder / (".cusp-restore-" + Uuid::v7().text()), notes = folder / ".cusp-restore-notes";
-  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(48);
   for (const fs::path& one : {left_over, running, of_another, notes}) {
     fs::create_directories(one);
-    const fs::path database = one / (one == of_another ? "x.db" : "new.db");
-    std::ofstream(database) << "cut off";
-    if (one == running) continue;
-    fs::last_write_time(database, long_ago);
-    fs::last_write_time(one, long_ago);
+    std::ofstream(one / (one == of_another ? "x.db" : "new.db")) << "cut off";
+    if (one != running) age(one);
   }
   must(restore_backup(backup, folder / "new.db"));
   EXPECT_FALSE(fs::exists(left_over));
@@ -72,13 +96,10 @@ TEST_F(BackupLeftTest, restoring_takes_away_what_a_restore_of_the_name_left_a_da
 
 TEST_F(BackupLeftTest, a_backup_takes_away_what_a_restore_left_that_was_tried_again_at_once) {
   const fs::path left_over = folder / (".cusp-restore-" + Uuid::v7().text()), running = folder / (".cusp-restore-" + Uuid::v7().text());
-  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(48);
   for (const fs::path& one : {left_over, running}) {
     fs::create_directories(one);
     std::ofstream(one / "a.db.key") << "cut off";
-    if (one == running) continue;
-    fs::last_write_time(one / "a.db.key", long_ago);
-    fs::last_write_time(one, long_ago);
+    if (one != running) age(one);
   }
   make();
   EXPECT_FALSE(fs::exists(left_over));
