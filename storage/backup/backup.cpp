@@ -155,7 +155,7 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
     return std::unexpected(done.error());
   }
   // A restore that succeeded at the second try is the last one of its name.
-  remove_left_folders(context.db.file().parent_path(), kRestoring, context.db.file().filename().string());
+  remove_left_restores(context.db.file());
   return backup;
 }
 
@@ -196,10 +196,13 @@ Stored<std::vector<Backup>> backups_in(const fs::path& into, const std::optional
 
 namespace {
 
-/// A backup without a description.
+/// A backup without a description, or with the beginning of one: write_private_file() adds to its name.
 bool is_abandoned(const fs::path& folder) {
+  const auto is_content = [](std::string_view name) {
+    return name.starts_with(kBackupDatabase) || name.starts_with(std::string(kBackupDescription) + '.');
+  };
   std::error_code error;
-  return folder.filename().string().starts_with("cusp-") && is_left_folder(folder, kBackupDatabase) && !fs::is_empty(folder, error) && !error;
+  return folder.filename().string().starts_with("cusp-") && is_left_folder(folder, is_content) && !fs::is_empty(folder, error) && !error;
 }
 
 }  // namespace
@@ -229,7 +232,7 @@ Stored<void> restore_beside(const Backup& backup, const fs::path& file, const Fi
   std::error_code error;
   const fs::path parent = fs::absolute(file, error).parent_path();
   if (!fs::is_directory(parent, error)) return fail(StorageError::not_found, parent.string(), "folder");
-  remove_left_folders(parent, kRestoring, file.filename().string());  // each holds a secret key
+  remove_left_restores(file);  // each holds a secret key
   const fs::path folder = parent / (std::string(kRestoring) + Uuid::v7().text());
   if (auto made = make_private_folder(folder); !made) return fail(made.error().code, file.string(), made.error().detail);
   const fs::path fresh = folder / file.filename();

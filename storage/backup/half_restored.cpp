@@ -9,6 +9,7 @@
 
 #include "engine/base/ids.h"
 #include "storage/base/files.h"
+#include "storage/base/left_folders.h"
 #include "storage/base/process.h"
 #include "storage/modules.h"
 #include "storage/sqlite/hold_alone.h"
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 3> kRestored = {"", ".key", ".key-counter"};
 /// What a database may have beside its own name. SQLite would lay a log or journal that is left over onto another database.
 constexpr std::array<const char*, 6> kBeside = {"", "-wal", "-shm", "-journal", ".key", ".key-counter"};
-constexpr const char* kNote = ".aside";
+constexpr const char *kNote = ".aside", *kLock = ".restoring";
 
 Stored<void> move_all(const fs::path& from, const fs::path& to, const std::array<const char*, 6>& endings) {
   for (std::size_t i = 0; i < endings.size(); ++i) {
@@ -146,7 +147,7 @@ Stored<void> name_restored(const fs::path& from, const fs::path& to) {
   return {};
 }
 
-fs::path lock_of_half_done(const fs::path& fresh) { return fresh.string() + ".restoring"; }
+fs::path lock_of_half_done(const fs::path& fresh) { return fresh.string() + kLock; }
 
 Stored<void> note_half_done(const fs::path& fresh, const fs::path& file, const fs::path& aside, const std::string& process) {
   if (aside.empty()) return replace_private_file(fresh.string() + kNote, process + "\n\n");
@@ -170,6 +171,18 @@ bool is_half_done(const fs::path& folder, const fs::path& file) {
   if (!note->aside.empty()) return fs::exists(note->aside, error);
   const fs::path fresh = folder / file.filename();
   return is_whole(fresh) && has_begun_naming(fresh, file);
+}
+
+void remove_left_restores(const fs::path& file) {
+  std::error_code error;
+  // The files of "a.db.old" begin with "a.db", too, and may be all that there is of it.
+  const auto is_content = [name = file.filename().string()](std::string_view content) {
+    if (!content.starts_with(name)) return false;
+    content.remove_prefix(name.size());
+    constexpr std::array made = {"-wal", "-shm", "-journal", ".key", ".running", ".states", kNote, kLock};
+    return content.empty() || std::ranges::any_of(made, [content](const char* ending) { return content.starts_with(ending); });
+  };
+  remove_left_folders(fs::absolute(file, error).parent_path(), kRestoring, is_content);
 }
 
 Stored<bool> finish_half_done(const fs::path& file) {

@@ -2,15 +2,18 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
+#include <functional>
 #include <string_view>
 
 namespace cusp::storage {
 
-/// Whether nobody can be writing the folder any more: it holds files alone whose names begin with `content`, unchanged for a day.
-bool is_left_folder(const std::filesystem::path& folder, const std::string& content);
+/// Whether what was made has a file of this name.
+using IsContent = std::function<bool(std::string_view name)>;
+
+/// Whether nobody can be writing the folder any more: it holds content alone, unchanged for a day.
+bool is_left_folder(const std::filesystem::path& folder, const IsContent& is_content);
 
 /// Removes of `parent` each folder of that kind that is named `prefix` and a UUID. Failures are ignored.
-void remove_left_folders(const std::filesystem::path& parent, std::string_view prefix, const std::string& content);
+void remove_left_folders(const std::filesystem::path& parent, std::string_view prefix, const IsContent& is_content);
 
 }  // namespace cusp::storage

@@ -82,7 +82,7 @@ Stored<void> make_copy(const fs::path& file, const fs::path& from, const std::fu
   if (fs::exists(file, error)) return fail(StorageError::duplicate, file.string());
   const fs::path real = fs::absolute(behind_links(file), error), parent = real.parent_path();
   if (!fs::is_directory(parent, error)) return fail(StorageError::not_found, parent.string(), "folder");
-  remove_left_folders(parent, kCopying, kCopied);
+  remove_left_folders(parent, kCopying, [](std::string_view name) { return name.starts_with(kCopied); });
   const fs::path folder = parent / (std::string(kCopying) + Uuid::v7().text());
   if (auto made = make_private_folder(folder); !made) return std::unexpected(failure_of_copy(made.error(), file));
   auto done = fill_new(folder / kCopied, from, fill);

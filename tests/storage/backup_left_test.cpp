@@ -55,6 +55,14 @@ TEST_F(BackupLeftTest, that_was_cut_off_goes_a_day_later_for_it_holds_a_key) {
   EXPECT_TRUE(fs::exists(of_others));
 }
 
+TEST_F(BackupLeftTest, that_was_cut_off_while_it_was_described_goes_a_day_later) {
+  const Backup cut_off = make();
+  fs::rename(cut_off.folder / "backup.json", cut_off.folder / "backup.json.a1B2c3");
+  age(cut_off.folder);
+  must(thin_backups(into(), station(), 1, *now));
+  EXPECT_FALSE(fs::exists(cut_off.folder));
+}
+
 #ifdef SYS_unlink  // elsewhere the first call that removes is also the next one's
 TEST_F(BackupLeftTest, that_was_removed_in_part_is_none_and_goes_a_day_later) {
   const Backup old = make();
@@ -220,9 +228,9 @@ struct NewNameKilled : BackupLeftTest {
 
   /// False where the kernel admits no filter. Then come as many of the calls that name the copy: counter, key and database each get
   /// their name by a hard link, then lose the old one.
-  bool is_killed(int calls) {
+  bool is_killed(int calls, const std::string& name = "new.db") {
     store.reset();
-    file = folder / ("new" + std::to_string(calls) + ".db");
+    file = folder / (name + std::to_string(calls));
     if (!is_killed_at_its_first_name([&](const FinishRestored& finish) { static_cast<void>(restore_backup(backup, file, finish)); })) return false;
     const std::string copy = (folder_named(".cusp-restore-") / file.filename()).string();
     for (const char* ending : {".key-counter", ".key", ""}) {
@@ -264,6 +272,14 @@ TEST_F(NewNameKilled, between_its_names_is_finished_by_the_next_restore_which_na
     EXPECT_EQ(folder_named(".cusp-restore-"), fs::path());
     expect_restored();
   }
+}
+
+TEST_F(NewNameKilled, between_its_names_stays_until_then_beside_records_with_a_shorter_name) {
+  if (!is_killed(2, "a.db.old")) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  age(folder_named(".cusp-restore-"));
+  store = open(folder / "a.db", quick(now));
+  make();
+  expect_restored();
 }
 
 TEST_F(NewNameKilled, before_its_first_name_leaves_the_name_free) {
