@@ -240,7 +240,10 @@ Stored<void> restore_beside(const Backup& backup, const fs::path& file, const Fi
   if (done && finish) done = finish(fresh);
   if (done) done = take_name(fresh);
   // Without a database at the name, the next start needs the note.
-  if (!is_half_done(folder, file)) remove_copy(folder);
+  if (!is_half_done(folder, file)) {
+    take_note_back(fresh);
+    remove_copy(folder);
+  }
   // People know the name that they gave, not the folder.
   if (!done && done.error().where.starts_with(folder.string())) done.error().where = file.string();
   return done;

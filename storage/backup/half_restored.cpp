@@ -92,13 +92,14 @@ Stored<void> name_rest(const fs::path& from, const fs::path& to) {
   return {};
 }
 
-Stored<void> carry_out(const Note& note, const fs::path& folder, const fs::path& file) {
+/// Whether the copy has its names now.
+Stored<bool> carry_out(const Note& note, const fs::path& folder, const fs::path& file) {
   const fs::path fresh = folder / file.filename();
   if (process_runs(note.process, lock_of_half_done(fresh))) return fail(StorageError::busy, file.string());
   // Of two programs that start at once, one carries it out.
   const auto alone = hold_alone(note.aside.empty() ? fresh : note.aside);
   if (!alone) return fail(StorageError::busy, file.string());
-  if (!is_half_done(folder, file)) return {};
+  if (!is_half_done(folder, file)) return false;
   std::error_code error;
   for (const std::string& ending : note.endings) {
     const fs::path from = file.string() + ending, to = note.aside.string() + ending;
@@ -107,9 +108,11 @@ Stored<void> carry_out(const Note& note, const fs::path& folder, const fs::path&
     fs::rename(from, to, error);
     if (error) return std::unexpected(failure_from(error, from));
   }
-  auto done = note.aside.empty() || is_whole(fresh) ? name_rest(fresh, file) : move_home(note.aside, file);
-  if (done) fs::remove_all(folder, error);
-  return done;
+  const bool whole = note.aside.empty() || is_whole(fresh);
+  if (auto done = whole ? name_rest(fresh, file) : move_home(note.aside, file); !done) return std::unexpected(done.error());
+  take_note_back(fresh);
+  fs::remove_all(folder, error);
+  return whole;
 }
 
 }  // namespace
@@ -198,9 +201,7 @@ Stored<bool> finish_half_done(const fs::path& file) {
   // UUIDs of version 7 sort by time: an older note was left where another restore took the name.
   const fs::path folder = *std::ranges::max_element(due);
   const auto note = read_note(folder, file);
-  if (!note) return false;
-  if (auto done = carry_out(*note, folder, file); !done) return std::unexpected(done.error());
-  return true;
+  return note ? carry_out(*note, folder, file) : false;
 }
 
 }  // namespace cusp::storage

@@ -31,13 +31,15 @@ std::filesystem::path lock_of_half_done(const std::filesystem::path& fresh);
 /// ProcessMark::text().
 Stored<void> note_half_done(const std::filesystem::path& fresh, const std::filesystem::path& file, const std::filesystem::path& aside,
                             const std::string& process);
-/// After a failure that left no name taken.
+/// After a failure that left no name taken, and before the copy's folder goes: a note that outlasts its copy gives the name back to what
+/// is in `aside` once no database stands there.
 void take_note_back(const std::filesystem::path& fresh);
 /// Whether the folder's note is due: no database stands at the name, and `aside` holds it; without one, key or counter has its name.
 bool is_half_done(const std::filesystem::path& folder, const std::filesystem::path& file);
 /// Removes what restores of the name left that were cut off more than a day ago.
 void remove_left_restores(const std::filesystem::path& file);
-/// If a note is due, moves and names the rest. busy while its process lives. False: none was due, as where a database stands.
+/// If a note is due, moves and names the rest. busy while its process lives. False: none was due, as where a database stands, or the copy
+/// is gone and `aside` has its name back.
 Stored<bool> finish_half_done(const std::filesystem::path& file);
 
 }  // namespace cusp::storage

@@ -211,6 +211,26 @@ TEST_F(RestoreKilled, while_the_new_key_took_its_name_is_finished_by_the_next_st
   expect_restored();
 }
 
+#ifdef SYS_unlink
+TEST_F(RestoreKilled, while_it_removed_its_folder_has_restored_the_database_and_brings_nothing_back) {
+  store.reset();
+  half = fs::file_size(file) / 2;
+  fs::resize_file(file, half);
+  const Killed killed = kill_after(2, 0, [&](const std::function<bool()>& step) {
+    static_cast<void>(restore_in_place(backup, file, *now, [](const fs::path&) -> Stored<void> {
+      refuse_calls({{SYS_unlinkat, kKills}});
+      return {};
+    }));
+    static_cast<void>(step());
+  });
+  if (!killed.by_signal || killed.steps > 0) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  ASSERT_NE(folder_named(".cusp-restore-"), fs::path());
+  for (const char* ending : {"", ".key", ".key-counter"}) fs::rename(file.string() + ending, (folder / "elsewhere.db").string() + ending);
+  EXPECT_FALSE(must(open(file, quick(now))->accounts.has_administrator())) << "a first start";
+  EXPECT_EQ(fs::file_size(folder_named("a.db-damaged-") / "a.db"), half);
+}
+#endif
+
 TEST_F(RestoreKilled, whose_copy_is_gone_gives_the_old_database_its_name_back) {
   if (!is_killed()) GTEST_SKIP() << "the kernel admits no filter of system calls";
   fs::remove(folder_named(".cusp-restore-") / "a.db");
