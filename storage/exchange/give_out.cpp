@@ -96,18 +96,19 @@ std::vector<Hash256> earlier_files(StorageContext& context, Transaction& transac
   return out;
 }
 
-/// Number, description and entry in the log, in one transaction: no two files have one number.
-Stored<SignedText> sign_given_out(StorageContext& context, const Actor& actor, ExchangeDescription& description) {
+/// Number, description and entry in the log, in one transaction: no two files have one number. The file has its description before the
+/// entry is written: none is of a file that the disk had no room for.
+Stored<void> sign_given_out(StorageContext& context, const Actor& actor, Database& to, ExchangeDescription& description) {
   Transaction transaction(context.db);
   require_now(transaction, actor.id, Action::manage_station);
   description.earlier = earlier_files(context, transaction);
   description.log = transaction.first("SELECT entries, link FROM audit_head", [](Row row) { return ChainHead{row.u64(0), row.hash(1)}; }).value_or(ChainHead{});
   const SignedText text = sign_exchange(*context.key, description);
+  if (auto added = transaction.ok() ? add_description(to, text) : Stored<void>{}; !added) transaction.refuse(std::move(added.error()));
   log_event(context, transaction,
             {.actor = actor.id, .action = "exchange_given_out", .subject = context.station,
              .detail = hex(context.key->id()) + ' ' + std::string(key_of(description.kind)) + ' ' + hex(description_hash(text))});
-  if (auto done = commit_sealed(context, transaction); !done) return std::unexpected(done.error());
-  return text;
+  return commit_sealed(context, transaction);
 }
 
 }  // namespace
@@ -117,18 +118,17 @@ Stored<GivenOut> give_out(StorageContext& context, const Actor& actor, ExchangeK
   if (!context.key) return std::unexpected(context.db.unwritable());
   GivenOut out{.description = {.station = context.station, .kind = kind, .maker = actor.id, .made_utc_us = context.clock()},
                .key = context.key->id()};
-  const auto made = make_copy(file, context.db.file(), [&](Database& to) -> Stored<void> {
-    if (auto done = fill_exchange(context, to, kind); !done) return done;
+  const auto fill = [&](Database& to) { return fill_exchange(context, to, kind); };
+  const auto sign = [&](Database& to) -> Stored<void> {
     const auto counts = counts_of(to);
     if (!counts) return std::unexpected(counts.error());
     out.counts = *counts;
     auto tables = table_hashes(to);
     if (!tables) return std::unexpected(tables.error());
     out.description.tables = std::move(*tables);
-    const auto text = sign_given_out(context, actor, out.description);
-    if (!text) return std::unexpected(text.error());
-    return add_description(to, *text);
-  });
+    return sign_given_out(context, actor, to, out.description);
+  };
+  const auto made = make_copy(file, context.db.file(), fill, sign);
   if (!made) return std::unexpected(made.error());
   return out;
 }

@@ -54,20 +54,17 @@ constexpr std::string_view kCopying = ".cusp-copy-";
 constexpr const char* kCopied = "copy.db";
 
 /// In the older journal mode the file needs no log beside it.
-Stored<void> fill_new(const fs::path& file, const fs::path& from, const std::function<Stored<void>(Database&)>& fill) {
+Stored<void> fill_new(const fs::path& file, const fs::path& from, const OnCopy& fill, const OnCopy& finish) {
   auto to = Database::open(file, {.on_network_drive = admits_network_drive});
   if (!to) return std::unexpected(to.error());
   if (auto done = to->attach_source(from); !done) return done;
   if (auto done = fill(*to); !done) return done;
   to->detach_source();
-  return to->run("PRAGMA journal_mode = DELETE");
-}
-
-Stored<void> name_copy(const fs::path& made, const fs::path& file) {
+  if (auto done = to->run("PRAGMA journal_mode = DELETE"); !done) return done;
   std::error_code error;
-  // SQLite keeps its log if closing could not write all of it into the database.
-  if (fs::exists(made.string() + "-wal", error)) return fail(StorageError::io, file.string());
-  return rename_new(made, file);
+  // SQLite keeps its log if it could not write all of it into the database.
+  if (fs::exists(file.string() + "-wal", error)) return fail(StorageError::io, file.string());
+  return finish ? finish(*to) : Stored<void>{};
 }
 
 /// People know the name that they gave.
@@ -77,7 +74,7 @@ StorageFailure failure_of_copy(const StorageFailure& failure, const fs::path& fi
 
 }  // namespace
 
-Stored<void> make_copy(const fs::path& file, const fs::path& from, const std::function<Stored<void>(Database&)>& fill) {
+Stored<void> make_copy(const fs::path& file, const fs::path& from, const OnCopy& fill, const OnCopy& finish) {
   std::error_code error;
   if (fs::exists(file, error)) return fail(StorageError::duplicate, file.string());
   const fs::path real = fs::absolute(behind_links(file), error), parent = real.parent_path();
@@ -85,8 +82,8 @@ Stored<void> make_copy(const fs::path& file, const fs::path& from, const std::fu
   remove_left_folders(parent, kCopying, [](std::string_view name) { return name.starts_with(kCopied); });
   const fs::path folder = parent / (std::string(kCopying) + Uuid::v7().text());
   if (auto made = make_private_folder(folder); !made) return std::unexpected(failure_of_copy(made.error(), file));
-  auto done = fill_new(folder / kCopied, from, fill);
-  if (done) done = name_copy(folder / kCopied, real);
+  auto done = fill_new(folder / kCopied, from, fill, finish);
+  if (done) done = rename_new(folder / kCopied, real);
   fs::remove_all(folder, error);
   if (done) return done;
   const std::string& where = done.error().where;

@@ -8,11 +8,14 @@
 
 namespace cusp::storage {
 
+/// Work on a copy before it has its name.
+using OnCopy = std::function<Stored<void>(Database&)>;
+
 /// Makes `file`; while `fill` writes to it, `from` is attached as `source`. One file, without a log beside it; its owner alone may
-/// read it. It takes its name once it is whole: a failure or a crash leaves nothing of that name, and what a program that was killed
-/// left in the folder goes a day later. duplicate if the file exists.
-Stored<void> make_copy(const std::filesystem::path& file, const std::filesystem::path& from,
-                       const std::function<Stored<void>(Database&)>& fill);
+/// read it. `finish` finds it so, without `source`: what is left to fail after it is the name. It takes its name once it is whole: a
+/// failure or a crash leaves nothing of that name, and what a program that was killed left in the folder goes a day later. duplicate if
+/// the file exists.
+Stored<void> make_copy(const std::filesystem::path& file, const std::filesystem::path& from, const OnCopy& fill, const OnCopy& finish = {});
 
 /// One session with its statements, and what they refer to. A row that is there already stays.
 void copy_session(Transaction& to, SessionId session);

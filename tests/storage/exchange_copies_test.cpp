@@ -2,10 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <fstream>
+#include <thread>
+#include <vector>
 
 #include "storage/exchange/session_copies.h"
+#include "tests/refused_calls.h"
 #include "tests/storage/two_stations.h"
 
 namespace cusp::test {
@@ -33,6 +37,44 @@ TEST_F(ExchangeCopies, a_file_takes_its_name_once_it_is_whole) {
   ASSERT_EQ(code_of(late), StorageError::duplicate);
   EXPECT_EQ(late.error().where, taken.string());
   EXPECT_EQ(fs::file_size(taken), 17u) << "another program's stays";
+}
+
+TEST_F(ExchangeCopies, a_file_is_whole_and_has_no_log_when_its_last_work_begins) {
+  const fs::path file = next_file();
+  bool finished = false;
+  const auto fill = [](Database& to) { return to.run("CREATE TABLE rows (a INTEGER)"); };
+  must(make_copy(file, folder / "office.db", fill, [&](Database& to) -> Stored<void> {
+    finished = true;
+    EXPECT_FALSE(fs::exists(to.file().string() + "-wal"));
+    EXPECT_FALSE(fs::exists(file));
+    return to.run("INSERT INTO rows VALUES (1)");
+  }));
+  EXPECT_TRUE(finished);
+  EXPECT_TRUE(fs::exists(file));
+}
+
+TEST_F(ExchangeCopies, a_file_that_the_disk_keeps_the_log_of_has_no_last_work) {
+  const fs::path file = next_file(), office_records = folder / "office.db";
+  bool refused = false, finished = false;
+  Stored<void> done;
+  std::thread([&] {
+    const auto fill = [&](Database&) -> Stored<void> {
+      std::vector<RefusedCall> removals = {{SYS_unlinkat, EIO}};
+#ifdef SYS_unlink
+      removals.push_back({SYS_unlink, EIO});
+#endif
+      refused = refuse_calls(removals);
+      return {};
+    };
+    done = make_copy(file, office_records, fill, [&](Database&) -> Stored<void> {
+      finished = true;
+      return {};
+    });
+  }).join();
+  if (!refused) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  EXPECT_EQ(code_of(done), StorageError::io);
+  EXPECT_FALSE(finished) << "the audit log would name a file that nobody has";
+  EXPECT_FALSE(fs::exists(file));
 }
 
 TEST_F(ExchangeCopies, giving_out_takes_away_what_a_killed_program_left_a_day_ago) {
