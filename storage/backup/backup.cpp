@@ -127,6 +127,8 @@ Stored<void> copy_back(const Backup& backup, const fs::path& file) {
   const auto sessions = check_copy(file, {.access = DatabaseOptions::Access::existing});
   if (!sessions) return std::unexpected(sessions.error());
   if (*sessions != backup.sessions) return fail(StorageError::corrupt, backup.folder.string(), "sessions");
+  // Who removes a backup begins with its description: if that is there, so was the key.
+  if (const auto whole = read_backup(backup.folder); !whole) return std::unexpected(whole.error());
   return {};
 }
 

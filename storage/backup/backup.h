@@ -45,10 +45,11 @@ using FinishRestored = std::function<Stored<void>(const std::filesystem::path& d
 
 /// Writes the backup's database to a new file, with key and counter beside it. duplicate if one of them, or a log or journal, exists,
 /// or if one of them comes meanwhile: nothing is overwritten or removed. duplicate, detail "finished": an earlier restore was killed
-/// between two names, and this call has given the rest of its files theirs. corrupt if the backup or its key is damaged; detail
-/// "sessions": the database holds another number of them than `backup`. A failure, also of `finish`, leaves no new file; what a
-/// restore of the same name that was cut off left more than a day ago goes. log_restored() belongs into `finish`, or follows in the
-/// store of the new file. After a program that is killed between two names, Store::open() finishes, too.
+/// between two names, and this call has given the rest of its files theirs. not_found if the backup is removed meanwhile. corrupt if the
+/// backup or its key is damaged; detail "sessions": the database holds another number of them than `backup`. A failure, also of
+/// `finish`, leaves no new file; what a restore of the same name that was cut off left more than a day ago goes. log_restored() belongs
+/// into `finish`, or follows in the store of the new file. After a program that is killed between two names, Store::open() finishes,
+/// too.
 Stored<void> restore_backup(const Backup& backup, const std::filesystem::path& file, const FinishRestored& finish = {});
 /// The same where a database stands that cannot be read: it moves as by put_aside() once the copy is whole, so that a program that is
 /// killed before leaves it in its place; after one that is killed later, Store::open() finishes. Returns the folder that holds it. busy if

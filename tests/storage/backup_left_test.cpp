@@ -55,6 +55,14 @@ TEST_F(BackupLeftTest, that_was_cut_off_goes_a_day_later_for_it_holds_a_key) {
   EXPECT_TRUE(fs::exists(of_others));
 }
 
+TEST_F(BackupLeftTest, that_is_removed_while_it_is_restored_is_not_restored_without_its_key) {
+  const Backup backup = make();
+  for (const char* gone : {"backup.json", "station.db.key", "station.db.key-counter"}) fs::remove(backup.folder / gone);
+  EXPECT_EQ(code_of(restore_backup(backup, folder / "new.db")), StorageError::not_found);
+  EXPECT_EQ(folder_named("new.db"), fs::path());
+  EXPECT_EQ(folder_named(".cusp-restore-"), fs::path());
+}
+
 TEST_F(BackupLeftTest, that_was_cut_off_while_it_was_described_goes_a_day_later) {
   const Backup cut_off = make();
   fs::rename(cut_off.folder / "backup.json", cut_off.folder / "backup.json.a1B2c3");
