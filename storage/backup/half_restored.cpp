@@ -92,6 +92,17 @@ Stored<void> name_rest(const fs::path& from, const fs::path& to) {
   return {};
 }
 
+/// Those of any database beside this one in which a restore makes its copy.
+std::vector<fs::path> restore_folders(const fs::path& file) {
+  std::vector<fs::path> out;
+  std::error_code error;
+  for (fs::directory_iterator it(fs::absolute(file, error).parent_path(), error), end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (name.starts_with(kRestoring) && Uuid::parse(std::string_view(name).substr(kRestoring.size()))) out.push_back(it->path());
+  }
+  return out;
+}
+
 /// Whether the copy has its names now.
 Stored<bool> carry_out(const Note& note, const fs::path& folder, const fs::path& file) {
   const fs::path fresh = folder / file.filename();
@@ -185,17 +196,19 @@ void remove_left_restores(const fs::path& file) {
     constexpr std::array made = {"-wal", "-shm", "-journal", ".key", ".running", ".states", kNote, kLock};
     return content.empty() || std::ranges::any_of(made, [content](const char* ending) { return content.starts_with(ending); });
   };
-  remove_left_folders(fs::absolute(file, error).parent_path(), kRestoring, is_content);
+  for (const fs::path& folder : restore_folders(file)) {
+    // A second name of the database itself: a restore was killed after its last one. Nobody would look there for what is to be erased.
+    if (fs::equivalent(folder / file.filename(), file, error)) fs::remove(folder / file.filename(), error);
+    if (is_left_folder(folder, is_content)) fs::remove_all(folder, error);
+  }
 }
 
 Stored<bool> finish_half_done(const fs::path& file) {
   std::error_code error;
   if (file.empty() || fs::exists(file, error)) return false;
   std::vector<fs::path> due;
-  for (fs::directory_iterator it(fs::absolute(file, error).parent_path(), error), end; !error && it != end; it.increment(error)) {
-    const std::string name = it->path().filename().string();
-    if (!name.starts_with(kRestoring) || !Uuid::parse(std::string_view(name).substr(kRestoring.size()))) continue;
-    if (is_half_done(it->path(), file)) due.push_back(it->path());
+  for (fs::path& folder : restore_folders(file)) {
+    if (is_half_done(folder, file)) due.push_back(std::move(folder));
   }
   if (due.empty()) return false;
   // UUIDs of version 7 sort by time: an older note was left where another restore took the name.

@@ -36,7 +36,7 @@ Stored<void> note_half_done(const std::filesystem::path& fresh, const std::files
 void take_note_back(const std::filesystem::path& fresh);
 /// Whether the folder's note is due: no database stands at the name, and `aside` holds it; without one, key or counter has its name.
 bool is_half_done(const std::filesystem::path& folder, const std::filesystem::path& file);
-/// Removes what restores of the name left that were cut off more than a day ago.
+/// Removes what restores of the name left that were cut off more than a day ago, and at once any second name of the database.
 void remove_left_restores(const std::filesystem::path& file);
 /// If a note is due, moves and names the rest. busy while its process lives. False: none was due, as where a database stands, or the copy
 /// is gone and `aside` has its name back.

@@ -276,7 +276,6 @@ struct NewNameKilled : BackupLeftTest {
     EXPECT_EQ(must(store->accounts.sign_in("admin", "correct horse")).id, administrator.id);
     EXPECT_TRUE(must(verify_store(store->context())).intact());
   }
-  void remove_left() { fs::remove_all(folder_named(".cusp-restore-")); }
 };
 
 TEST_F(NewNameKilled, between_its_names_is_finished_by_the_next_start) {
@@ -327,7 +326,12 @@ TEST_F(NewNameKilled, after_its_last_name_has_restored_the_database) {
     EXPECT_EQ(code_of(again), StorageError::duplicate);
     EXPECT_EQ(again.error().detail, "") << "nothing was left to finish";
     expect_restored();
-    remove_left();
+    make();
+    const fs::path left = folder_named(".cusp-restore-");
+    EXPECT_FALSE(fs::exists(left / file.filename())) << "a second name of the database";
+    age(left);
+    make();
+    EXPECT_FALSE(fs::exists(left));
   }
 }
 
