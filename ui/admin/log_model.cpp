@@ -56,8 +56,10 @@ QString about_text(const AuditEntry& entry, const LogNames& names) {
 void LogModel::begin(Fetch fetch) {
   beginResetModel();
   fetch_ = std::move(fetch);
-  entries_ = fetch_(INT64_MAX).value_or(std::vector<AuditEntry>());
-  more_ = !entries_.empty();
+  auto first = fetch_(INT64_MAX);
+  failed_ = !first;
+  entries_ = first ? std::move(*first) : std::vector<AuditEntry>();
+  more_ = failed_ || !entries_.empty();
   endResetModel();
 }
 
@@ -66,16 +68,23 @@ void LogModel::set_proof(const LogProof& proof) {
   if (rowCount() > 0) Q_EMIT dataChanged(index(0, kProof), index(rowCount() - 1, kProof));
 }
 
-bool LogModel::canFetchMore(const QModelIndex& parent) const { return !parent.isValid() && more_; }
+bool LogModel::canFetchMore(const QModelIndex& parent) const { return !parent.isValid() && more_ && !failed_; }
 
 void LogModel::fetchMore(const QModelIndex& parent) {
   if (!canFetchMore(parent)) return;
-  auto page = fetch_(entries_.back().number);
-  more_ = page && !page->empty();
+  auto page = fetch_(entries_.empty() ? INT64_MAX : entries_.back().number);
+  failed_ = !page;
+  if (failed_) return;
+  more_ = !page->empty();
   if (!more_) return;
   beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(page->size()) - 1);
   entries_.insert(entries_.end(), std::make_move_iterator(page->begin()), std::make_move_iterator(page->end()));
   endInsertRows();
+}
+
+void LogModel::fetch_again() {
+  failed_ = false;
+  fetchMore();
 }
 
 int LogModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(entries_.size()); }

@@ -27,12 +27,17 @@ class LogModel : public QAbstractTableModel {
 
  public:
   enum Column { kNumber, kWhen, kWho, kWhat, kAbout, kProof, kColumns };
-  /// Entries below a number, newest first; empty: there is none. nullopt: it failed, and no further page is asked for.
+  /// Entries below a number, newest first; empty: there is none. nullopt: it failed, and no further page is asked for before
+  /// fetch_again().
   using Fetch = std::function<std::optional<std::vector<AuditEntry>>(std::int64_t before_number)>;
   explicit LogModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
   void set_names(LogNames names) { names_ = std::move(names); }
   /// Reads the first page.
   void begin(Fetch fetch);
+  /// The page that was asked for last could not be read: entries are missing after the last one.
+  bool failed() const { return failed_; }
+  /// Asks for the page that failed.
+  void fetch_again();
   void set_proof(const LogProof& proof);
   bool canFetchMore(const QModelIndex& parent = {}) const override;
   void fetchMore(const QModelIndex& parent = {}) override;
@@ -47,7 +52,7 @@ class LogModel : public QAbstractTableModel {
   LogNames names_;
   LogProof proof_;
   Fetch fetch_;
-  bool more_ = false;
+  bool more_ = false, failed_ = false;
 };
 
 /// Who acted: a name, "Cusp", or an account whose name is gone.

@@ -58,6 +58,7 @@ LogPage::LogPage(Store& store, const Actor& actor, const Ports& ports, QWidget* 
   outer->addWidget(make_filters());
   band_ = new Band;
   outer->addWidget(band_);
+  outer->addWidget(make_unread());
   busy_ = new Busy;
   busy_->hide();
   outer->addWidget(busy_);
@@ -103,6 +104,19 @@ QWidget* LogPage::make_filters() {
   return bar;
 }
 
+Band* LogPage::make_unread() {
+  unread_ = new Band;
+  QPushButton* again = make_button(tr("Try again"), ButtonKind::standard, u"refresh"_qs);
+  unread_->ways_out()->addWidget(again);
+  connect(again, &QPushButton::clicked, this, [this] {
+    table_->setFocus();  // the button goes
+    if (model_->rowCount() == 0) return read();
+    unread_->clear();
+    model_->fetch_again();
+  });
+  return unread_;
+}
+
 QWidget* LogPage::make_table() {
   auto* card = new Card;
   card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
@@ -146,7 +160,11 @@ std::vector<Account> LogPage::read_names() {
   return std::move(*people);
 }
 
-QString LogPage::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
+QString LogPage::message() const {
+  for (const Band* band : {band_, unread_})
+    if (band->isVisibleTo(this)) return band->text();
+  return {};
+}
 bool LogPage::shows_none() const { return below_->currentIndex() == 1; }
 
 AuditFilter LogPage::filter() const {
@@ -164,8 +182,8 @@ AuditFilter LogPage::filter() const {
   return out;
 }
 
-std::optional<std::vector<AuditEntry>> LogPage::page(const AuditFilter& filter, int limit, std::int64_t before_number) {
-  auto entries = store_.audit.list(actor_, limit, before_number, filter);
+std::optional<std::vector<AuditEntry>> LogPage::newest_before(std::int64_t number) {
+  auto entries = store_.audit.list(actor_, 1, number);
   if (entries) return std::move(*entries);
   show_failure(entries.error());
   return std::nullopt;
@@ -174,8 +192,17 @@ std::optional<std::vector<AuditEntry>> LogPage::page(const AuditFilter& filter, 
 void LogPage::read() {
   days_->setVisible(period_->currentData() == kBetweenDays);
   read_names();
-  model_->begin([this, shown = filter()](std::int64_t before_number) { return page(shown, kEntriesAtOnce, before_number); });
-  below_->setCurrentIndex(model_->rowCount() == 0 ? 1 : 0);
+  unread_->clear();
+  model_->begin([this, shown = filter()](std::int64_t before_number) -> std::optional<std::vector<AuditEntry>> {
+    auto entries = store_.audit.list(actor_, kEntriesAtOnce, before_number, shown);
+    if (entries) return std::move(*entries);
+    unread_->show_message(Band::Kind::bad,
+                          before_number == INT64_MAX ? tr("The entries could not be read.")
+                                                     : tr("Older entries are not shown: they could not be read."),
+                          describe(entries.error()).line());
+    return std::nullopt;
+  });
+  below_->setCurrentIndex(model_->rowCount() == 0 && !model_->failed() ? 1 : 0);  // after a failure it is not known that none fits
   for (const int column : {LogModel::kNumber, LogModel::kWhen, LogModel::kWho, LogModel::kAbout}) table_->resizeColumnToContents(column);
   table_->setColumnWidth(LogModel::kProof, px(140));
   table_->setColumnWidth(LogModel::kWho, std::min(table_->columnWidth(LogModel::kWho), px(kMostWho)));
@@ -190,7 +217,7 @@ void LogPage::show_all() {
 /// verify_ stays enabled, as with ButtonWait: a disabled button hands the focus on.
 void LogPage::verify() {
   if (verifying()) return;
-  const auto newest = page({}, 1, INT64_MAX);
+  const auto newest = newest_before(INT64_MAX);
   if (!newest) return;
   entries_ = newest->empty() ? 0 : newest->front().number + 1;
   progress_ = std::make_shared<LogProgress>();
@@ -224,7 +251,7 @@ void LogPage::cancel_verification() {
 
 /// "It says: Lena Brandt, Account disabled."; empty if the entry is gone.
 QString LogPage::entry_line(std::int64_t number) {
-  const auto found = page({}, 1, number + 1);
+  const auto found = newest_before(number + 1);
   if (!found || found->empty() || found->front().number != number) return {};
   return tr("It says: %1, %2.").arg(actor_text(found->front(), names_), entry_text(found->front()));
 }

@@ -57,6 +57,7 @@ class LogPage : public QWidget, public AtWork {
 
  private:
   QWidget* make_filters();
+  Band* make_unread();
   QWidget* make_table();
   void fill_people();
   /// The names of what entries concern. Returns the accounts; none if they cannot be read, which the band then says.
@@ -64,7 +65,8 @@ class LogPage : public QWidget, public AtWork {
   void show_progress();
   void show_verified(const Stored<Verification>& proof);
   QString entry_line(std::int64_t number);
-  std::optional<std::vector<AuditEntry>> page(const AuditFilter& filter, int limit, std::int64_t before_number);
+  /// The newest entry below a number; empty: there is none. nullopt: it failed, which the band then shows.
+  std::optional<std::vector<AuditEntry>> newest_before(std::int64_t number);
   QWidget* make_export_progress();
   void export_to(const QString& path, const AuditFilter& shown);
   void show_failure(const StorageFailure& failure);
@@ -82,6 +84,7 @@ class LogPage : public QWidget, public AtWork {
   Table* table_ = nullptr;
   QStackedWidget* below_ = nullptr;
   Band* band_ = nullptr;
+  Band* unread_ = nullptr;  // shows after a page of the table that could not be read
   Busy* busy_ = nullptr;
   QComboBox *kind_ = nullptr, *person_ = nullptr, *period_ = nullptr;
   QWidget* days_ = nullptr;

@@ -68,6 +68,7 @@ Performance::Performance(Store& store, const Actor& reader, const Ports& ports, 
   body->addWidget(without_scripted_);
   band_ = new Band;
   body->addWidget(band_);
+  body->addWidget(make_unread());
   body->addWidget(make_progress());
   body->addWidget(make_figures());
   body->addLayout(make_charts());
@@ -77,6 +78,19 @@ Performance::Performance(Store& store, const Actor& reader, const Ports& ports, 
   fill_filters();
   read();
   setFocusProxy(search_);
+}
+
+Band* Performance::make_unread() {
+  unread_ = new Band;
+  QPushButton* again = make_button(tr("Try again"), ButtonKind::standard, u"refresh"_qs);
+  unread_->ways_out()->addWidget(again);
+  connect(again, &QPushButton::clicked, this, [this] {
+    table_->setFocus();  // the button goes
+    if (!model_->failed()) return read();  // the first page failed
+    unread_->clear();
+    model_->fetch_again();
+  });
+  return unread_;
 }
 
 QBoxLayout* Performance::make_charts() {
@@ -159,12 +173,15 @@ void Performance::show_failure(const StorageFailure& failure) {
 std::optional<HistoryPage> Performance::page(const HistoryFilter& filter, const std::optional<HistoryKey>& after) {
   auto page = store_.history.page(reader_, filter, after, kAttemptsAtOnce);
   if (page) return std::move(*page);
-  show_failure(page.error());
+  unread_->show_message(Band::Kind::bad,
+                        after ? tr("Older attempts are not shown: they could not be read.") : tr("The attempts could not be read."),
+                        describe(page.error()).line());
   return std::nullopt;
 }
 
 void Performance::read() {
   band_->clear();  // it speaks of the filters before
+  unread_->clear();
   const HistoryFilter shown = filter();
   without_scripted_->setVisible(any_scripted_ && shown.scripted == false);
   auto first = page(shown, std::nullopt);

@@ -71,6 +71,7 @@ class Performance : public QWidget, public Rereads, public AtWork {
 
  private:
   QWidget* make_filters();
+  Band* make_unread();
   QWidget* make_figures();
   QBoxLayout* make_charts();
   QWidget* make_table();
@@ -81,6 +82,7 @@ class Performance : public QWidget, public Rereads, public AtWork {
   std::vector<QComboBox*> choices() const { return {exercise_, version_, cohort_, who_, kind_, result_, device_, period_}; }
   /// The versions of the chosen exercise.
   void fill_versions();
+  /// nullopt: it could not be read, which unread_ then shows.
   std::optional<HistoryPage> page(const HistoryFilter& filter, const std::optional<HistoryKey>& after);
   /// Fetches the rest of the attempts for another order than the newest first; with too many, or if a page fails, it keeps that order
   /// and says so.
@@ -102,6 +104,7 @@ class Performance : public QWidget, public Rereads, public AtWork {
   Table* table_ = nullptr;
   QStackedWidget* below_ = nullptr;
   Band* band_ = nullptr;
+  Band* unread_ = nullptr;  // shows after a page of the table that could not be read
   QLabel* without_scripted_ = nullptr;
   bool any_scripted_ = false;  // attempts of scripted operators in the records
   ExportRun* export_ = nullptr;

@@ -5,6 +5,7 @@
 #include <QDateEdit>
 #include <QDir>
 #include <QFile>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 #include <filesystem>
@@ -21,6 +22,7 @@
 #include "ui/admin/log_page.h"
 #include "ui/text/audit_log_text.h"
 #include "ui/text/language.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::test {
@@ -43,6 +45,12 @@ class LogPages : public testing::Test {
   }
   static bool waited(const LogPage& page) {
     return QTest::qWaitFor([&] { return !page.verifying(); }, kLongestMs);
+  }
+  /// The band that offers to read entries again; nullptr while none is shown.
+  static Band* unread_band(const LogPage& page) {
+    for (Band* band : page.findChildren<Band*>())
+      if (band->isVisibleTo(&page) && band->findChild<QPushButton*>() != nullptr) return band;
+    return nullptr;
   }
   static QString cell(const LogPage& page, int row, int column) { return page.model().index(row, column).data().toString(); }
   static int choose(QComboBox* box, const QString& text) {
@@ -103,6 +111,44 @@ TEST_F(LogPages, FetchesAPageAtATime) {
   const std::int64_t newest = model.entry(0).number;
   EXPECT_EQ(static_cast<std::int64_t>(numbers.size()), newest + 1) << "every entry once";
   EXPECT_EQ(model.index(model.rowCount() - 1, LogModel::kNumber).data().toString(), QStringLiteral("1")) << "people count from one";
+}
+
+TEST_F(LogPages, ReadsThePageThatFailedAgainWhenAsked) {
+  add_many();
+  const auto shown = page();
+  shown->show();
+  auto& model = const_cast<LogModel&>(shown->model());
+  ASSERT_EQ(model.rowCount(), 200);
+  auto& database = records.store().database();
+  EXPECT_EQ(unread_band(*shown), nullptr);
+  ASSERT_TRUE(database.run("ALTER TABLE audit_log RENAME TO lost_log"));
+  model.fetchMore();
+  EXPECT_EQ(model.rowCount(), 200) << "those that were read stay";
+  EXPECT_FALSE(model.canFetchMore()) << "a list that scrolls asks no more";
+  ASSERT_NE(unread_band(*shown), nullptr);
+  EXPECT_TRUE(unread_band(*shown)->text().contains(QStringLiteral("Older entries are not shown"))) << unread_band(*shown)->text().toStdString();
+  unread_band(*shown)->findChild<QPushButton*>()->click();
+  ASSERT_NE(unread_band(*shown), nullptr) << "it failed once more";
+  ASSERT_TRUE(database.run("ALTER TABLE lost_log RENAME TO audit_log"));
+  unread_band(*shown)->findChild<QPushButton*>()->click();
+  EXPECT_EQ(unread_band(*shown), nullptr);
+  EXPECT_GT(model.rowCount(), kMany);
+}
+
+TEST_F(LogPages, DoesNotTakeALogThatCannotBeReadForAnEmptyOne) {
+  const auto shown = page();
+  shown->show();
+  const int all = shown->model().rowCount();
+  ASSERT_TRUE(records.store().database().run("ALTER TABLE audit_log RENAME TO lost_log"));
+  shown->read();
+  EXPECT_EQ(shown->model().rowCount(), 0);
+  EXPECT_FALSE(shown->shows_none());
+  ASSERT_NE(unread_band(*shown), nullptr);
+  EXPECT_TRUE(unread_band(*shown)->text().contains(QStringLiteral("The entries could not be read"))) << unread_band(*shown)->text().toStdString();
+  ASSERT_TRUE(records.store().database().run("ALTER TABLE lost_log RENAME TO audit_log"));
+  unread_band(*shown)->findChild<QPushButton*>()->click();
+  EXPECT_EQ(unread_band(*shown), nullptr);
+  EXPECT_EQ(shown->model().rowCount(), all);
 }
 
 TEST_F(LogPages, FiltersByKindPersonAndDate) {

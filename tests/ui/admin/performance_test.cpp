@@ -144,20 +144,6 @@ TEST_F(AdminPages, performance_fetches_as_one_scrolls_and_all_for_another_order)
   EXPECT_EQ(wanted, worst);
 }
 
-TEST_F(AdminPages, performance_of_which_a_page_cannot_be_read_stays_newest_first_and_says_so) {
-  const Account lena = records.student("1", "Lena Brandt");
-  for (int i = 0; i < kAttemptsAtOnce + 1; ++i) records.attempt(lena, "channel-1", 50, 1);
-  ports.now = [this] { return QDateTime::fromMSecsSinceEpoch(records.now_us / 1000, Qt::UTC); };
-  Performance page(records.store(), records.administrator().actor(), ports);
-  ASSERT_EQ(page.attempts().rowCount(), kAttemptsAtOnce);
-  ASSERT_TRUE(records.store().database().run("DROP INDEX summaries_by_time"));  // no list of all is read without it
-  page.show();
-  page.table()->sortByColumn(AttemptsModel::kScore, Qt::AscendingOrder);
-  EXPECT_TRUE(page.attempts().failed());
-  EXPECT_TRUE(page.findChild<Band*>()->isVisible());
-  EXPECT_EQ(page.table()->horizontalHeader()->sortIndicatorSection(), AttemptsModel::kDate) << "the worst may be missing";
-}
-
 TEST_F(AdminPages, a_message_about_other_filters_goes_when_they_change) {
   records.attempt(records.student("1", "Lena Brandt"), "channel-1", 78, 100);
   const QTemporaryDir folder;
@@ -169,27 +155,6 @@ TEST_F(AdminPages, a_message_about_other_filters_goes_when_they_change) {
   ASSERT_TRUE(band->isVisible());
   page.result()->setCurrentIndex(2);
   EXPECT_FALSE(band->isVisible()) << band->text().toStdString();
-}
-
-TEST_F(AdminPages, performance_that_cannot_be_read_shows_no_figures_of_other_filters) {
-  const Account lena = records.student("1", "Lena Brandt");
-  records.attempt(lena, "channel-1", 60, 100);
-  records.attempt(lena, "paper-block", 60, 100);
-  Performance page(records.store(), records.administrator().actor(), ports);
-  page.show();
-  const auto charts = [&] { return std::ranges::count_if(page.findChildren<Chart*>(), [](const Chart* chart) { return chart->isVisible(); }); };
-  ASSERT_EQ(charts(), 2);
-  ASSERT_TRUE(records.store().database().run("DROP INDEX summaries_of_scenario"));  // no list of an exercise is read without it
-  page.exercise()->setCurrentIndex(1);
-  EXPECT_TRUE(page.findChild<Band*>()->isVisible());
-  EXPECT_EQ(page.attempts().rowCount(), 0);
-  EXPECT_EQ(charts(), 0);
-  QStringList texts;
-  for (const QLabel* label : page.findChildren<QLabel*>()) texts << label->text();
-  EXPECT_TRUE(texts.join(u'|').contains(QStringLiteral("Median score|–|"))) << texts.join(u'|').toStdString();
-  page.exercise()->setCurrentIndex(0);
-  EXPECT_EQ(page.attempts().rowCount(), 2);
-  EXPECT_EQ(charts(), 2);
 }
 
 TEST_F(AdminPages, performance_fits_half_of_full_hd_in_german) {
