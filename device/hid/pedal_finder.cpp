@@ -36,8 +36,23 @@ void PedalFinder::press(const std::vector<Control>& controls) {
       at->rest = control;  // the first known value is the best estimate of its rest
       at->furthest = control.value;
     }
-    if (way(at->rest.value, control.value) > way(at->rest.value, at->furthest)) at->furthest = control.value;
+    move(*at, control.value);
   }
+  for (Way& w : ways_) {  // the controls omit keys that are up
+    const bool there = std::any_of(controls.begin(), controls.end(), [&](const Control& c) { return c.id == w.rest.id; });
+    if (!there && w.rest.kind != ControlKind::axis) move(w, 0);
+  }
+}
+
+void PedalFinder::move(Way& of, std::int32_t to) {
+  if (way(of.rest.value, to) > way(of.rest.value, of.furthest)) of.furthest = to;
+}
+
+std::optional<Control> PedalFinder::down_at_rest() const {
+  for (const Way& w : ways_) {
+    if (w.rest.kind != ControlKind::axis && w.rest.value != w.rest.least) return w.rest;
+  }
+  return std::nullopt;
 }
 
 const PedalFinder::Way* PedalFinder::best() const {

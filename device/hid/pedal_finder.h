@@ -26,6 +26,8 @@ class PedalFinder {
   void rest(const std::vector<Control>& controls);
   /// Values while the foot presses; any number of calls. The furthest value counts.
   void press(const std::vector<Control>& controls);
+  /// A switch or key that was down at rest(): a foot was on it, or it opens when pressed. nullopt if none was.
+  std::optional<Control> down_at_rest() const;
   /// The control that moved the most, an axis before a switch; nullopt if none moved enough.
   std::optional<FoundControl> found(double dead_zone = PedalCalibration::kUsualDeadZone) const;
   /// The found control, of values with the foot off again; both values at rest are released. nullopt while it is apart from
@@ -37,6 +39,7 @@ class PedalFinder {
     Control rest;
     std::int32_t furthest = 0;
   };
+  static void move(Way& of, std::int32_t to);
   const Way* best() const;
   std::vector<Way> ways_;
 };

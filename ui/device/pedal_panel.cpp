@@ -353,7 +353,10 @@ void PedalPanel::show_lesson() {
       in.finder.press(view.controls);
       const auto found = in.finder.found();
       if (in.lesson == Lesson::coolant) {
-        if (found && found->kind != hid::ControlKind::axis) {
+        const bool switches = found && found->kind != hid::ControlKind::axis;
+        if (switches && found->calibration.pressed_raw() < found->calibration.released_raw()) {
+          in.finder.rest(view.controls);  // a switch that was down was released: the one for the coolant comes
+        } else if (switches) {
           in.settings.coolant = found->id;
           in.keep();
           in.cancel->click();
@@ -362,7 +365,10 @@ void PedalPanel::show_lesson() {
       }
       in.heard->setVisible(true);
       const bool back = in.lesson == Lesson::press && in.finder.released(view.controls);
-      in.heard->setText(!found ? tr("Nothing has moved yet.")
+      const auto down = in.lesson == Lesson::press ? in.finder.down_at_rest() : std::nullopt;
+      in.heard->setText(!found && down ? tr("%1 was down at the first step. If the foot was on the pedal, cancel and calibrate again.")
+                                             .arg(control_name(down->id, down->kind))
+                        : !found ? tr("Nothing has moved yet.")
                         : back ? tr("The pedal is back where it rested. If it is down, it was pressed at the first step: cancel, "
                                     "and calibrate again.")
                                : tr("It is: %1").arg(control_name(found->id, found->kind)));

@@ -81,6 +81,24 @@ TEST(PedalFinder, takes_a_switch_or_a_key_once_the_foot_is_off_again) {
   EXPECT_EQ(key.released({0, 0, 0, 0, 0, 0, 0, 0})->calibration, PedalCalibration::of_switch());
 }
 
+TEST(PedalFinder, sees_a_key_that_was_down_at_rest_go_up_although_the_controls_omit_it_then) {
+  const Bytes up{0, 0, 0, 0, 0, 0, 0, 0}, down{0, 0, 0x68, 0, 0, 0, 0, 0};
+  Lesson lesson(test::keyboard_descriptor());
+  lesson.rest(down);
+  lesson.press(down);
+  EXPECT_FALSE(lesson.finder.found());
+  ASSERT_TRUE(lesson.finder.down_at_rest());
+  EXPECT_EQ(lesson.finder.down_at_rest()->id, (ControlId{usage::kKeyPage, 0x68, 0}));
+  lesson.press(up);
+  ASSERT_TRUE(lesson.finder.found());
+  EXPECT_EQ(lesson.finder.found()->calibration, *PedalCalibration::from(1, 0, 0.0));
+  EXPECT_FALSE(lesson.released(up)) << "the foot was on it at rest";
+  lesson.rest(up);
+  lesson.press(down);
+  EXPECT_FALSE(lesson.finder.down_at_rest());
+  EXPECT_EQ(lesson.released(up)->calibration, PedalCalibration::of_switch());
+}
+
 TEST(PedalFinder, takes_no_switch_that_was_down_at_rest_but_one_that_opens_when_pressed) {
   Lesson lesson(test::vec_descriptor());
   lesson.rest({0x04, 0x00});

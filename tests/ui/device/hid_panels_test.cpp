@@ -131,6 +131,66 @@ TEST_F(Panels, a_foot_on_the_pedal_at_the_first_step_does_not_turn_its_ends_roun
   EXPECT_EQ(HidSettings(settings.file()).pedal().calibration, hid::PedalCalibration::of_switch());
 }
 
+TEST_F(Panels, a_key_that_is_held_at_the_first_step_is_named_and_calibrates_once_it_was_released) {
+  const Bytes up{0, 0, 0, 0, 0, 0, 0, 0}, down{0, 0, 0x68, 0, 0, 0, 0, 0};
+  auto keyboard = desk.plug("/dev/hidraw1", 0x0c45, 0x7403, test::keyboard_descriptor());
+  hid::PedalReader reader(bus_of(desk));
+  reader.start();
+  PedalPanel panel(reader, &settings);
+  panel.show();
+  ASSERT_TRUE(eventually([&] {
+    panel.look();
+    return panel.findChild<QComboBox*>()->count() == 2;
+  }));
+  Q_EMIT panel.findChild<QComboBox*>()->activated(1);
+  ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
+  desk.send(keyboard, down);
+  ASSERT_TRUE(eventually([&] { return reader.view().reports == 1; }));
+  panel.look();
+  button(panel, "Calibrate")->click();
+  button(panel, "Next")->click();
+  EXPECT_TRUE(shows(panel, "F13 was down at the first step"));
+  EXPECT_FALSE(button(panel, "Next")->isEnabled());
+  desk.send(keyboard, up);
+  ASSERT_TRUE(eventually([&] { return button(panel, "Next")->isEnabled(); }));
+  desk.send(keyboard, down);
+  ASSERT_TRUE(eventually([&] { return !button(panel, "Next")->isEnabled(); }));
+  EXPECT_TRUE(shows(panel, "If it is down, it was pressed at the first step"));
+  desk.send(keyboard, up);
+  ASSERT_TRUE(eventually([&] { return reader.view().reports == 4; }));
+  button(panel, "Cancel")->click();
+  button(panel, "Calibrate")->click();
+  button(panel, "Next")->click();
+  desk.send(keyboard, down);
+  ASSERT_TRUE(eventually([&] { return button(panel, "Next")->isEnabled(); }));
+  button(panel, "Next")->click();
+  desk.send(keyboard, up);
+  ASSERT_TRUE(eventually([&] { return button(panel, "Take it over")->isEnabled(); }));
+  button(panel, "Take it over")->click();
+  EXPECT_EQ(reader.settings().drill, (hid::ControlId{hid::usage::kKeyPage, 0x68, 0}));
+  EXPECT_EQ(reader.settings().calibration, hid::PedalCalibration::of_switch());
+}
+
+TEST_F(Panels, a_switch_that_is_released_is_not_taken_for_the_coolant) {
+  auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor());
+  hid::PedalReader reader(bus_of(desk));
+  reader.start();
+  PedalPanel panel(reader, &settings);
+  panel.show();
+  ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
+  desk.send(pedal, {0x04, 0x00});  // the foot rests on the switch that drills
+  ASSERT_TRUE(eventually([&] { return reader.view().reports == 1; }));
+  panel.look();
+  button(panel, "Choose the switch for the coolant")->click();
+  desk.send(pedal, {0x00, 0x00});
+  ASSERT_TRUE(eventually([&] { return reader.view().reports == 2; }));
+  panel.look();
+  EXPECT_FALSE(reader.settings().coolant);
+  desk.send(pedal, {0x01, 0x00});
+  ASSERT_TRUE(eventually([&] { return reader.settings().coolant.has_value(); }));
+  EXPECT_EQ(*reader.settings().coolant, (hid::ControlId{hid::usage::kButtonPage, 1, 0}));
+}
+
 TEST_F(Panels, a_known_pedal_needs_no_calibration_and_gets_a_switch_for_the_coolant) {
   auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor());
   hid::PedalReader reader(bus_of(desk));
