@@ -57,6 +57,8 @@ class SpecimenForm : public QWidget {
 
 /// "36, lower left", "Practice block", "tooth.nrrd".
 QString specimen_name(const SpecimenSource& source);
+/// The name with places where a line may end: a file's name often has none, and would widen its panel.
+QString breakable(const QString& name);
 /// The permanent teeth by FDI number, which is their data.
 void add_teeth(QComboBox& box);
 

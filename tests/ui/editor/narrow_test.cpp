@@ -1,10 +1,12 @@
 // The editor in narrow windows, in German: every tab in the one that full HD has at 200 %, and 1280 px at 150 % and 200 %.
 
+#include <QLabel>
 #include <QPushButton>
 #include <QTabWidget>
 
 #include "tests/ui/editor/editor_pages.h"
 #include "tests/ui/whole_texts.h"
+#include "ui/editor/specimen_form.h"
 #include "ui/text/language.h"
 #include "ui/widgets/theme.h"
 
@@ -71,6 +73,15 @@ TEST_F(EditorPages, the_left_panel_is_a_tab_while_the_window_is_too_narrow_for_t
   page->resize(1280, 1000);
   EXPECT_TRUE(QTest::qWaitFor([&] { return tabs->count() == 7; }));
   apply_theme(*qApp, ColourScheme::light, 100);
+}
+
+TEST(SpecimenName, of_a_file_takes_lines_instead_of_widening_its_panel) {
+  const QString name = QString(60, u'm') + QStringLiteral(".nrrd");
+  EXPECT_EQ(breakable(name).remove(QChar(0x200B)), name) << "nothing but places to break is added";
+  EXPECT_EQ(breakable(QStringLiteral("tooth.nrrd")), QStringLiteral("tooth.nrrd"));
+  QLabel whole(name), wrapped(breakable(name));
+  wrapped.setWordWrap(true);
+  EXPECT_LT(wrapped.minimumSizeHint().width(), whole.sizeHint().width() / 3);
 }
 
 }  // namespace
