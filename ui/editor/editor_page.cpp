@@ -207,7 +207,9 @@ void EditorPage::follow_model() {
     auto* sign = new QLabel;
     sign->setPixmap(icon_pixmap(icon_name, Ink::text2, 18, devicePixelRatioF()));
     inside->addWidget(sign);
-    inside->addWidget(make_label(text), 1);
+    QLabel* name = make_label(text);
+    name->setWordWrap(true);
+    inside->addWidget(name, 1);
     contents_->addWidget(row);
   };
   line(u"target"_qs, target_name(s.target));

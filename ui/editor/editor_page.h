@@ -89,6 +89,7 @@ class EditorPage : public QWidget {
   void add_try_outs(QHBoxLayout& row);
   QWidget* make_panels();
   QWidget* make_left();
+  void add_tooth(QVBoxLayout& column);
   QWidget* make_right();
   void fit_left();
   bool left_in_tabs() const;
@@ -145,7 +146,8 @@ class EditorPage : public QWidget {
   QPushButton* back_ = nullptr;
   QPushButton *try_ = nullptr, *reference_ = nullptr, *publish_ = nullptr, *stop_proof_ = nullptr, *show_ = nullptr, *change_ = nullptr, *on_top_ = nullptr;
   QLabel *check_title_ = nullptr, *check_aside_ = nullptr, *check_ = nullptr, *check_sign_ = nullptr, *tooth_ = nullptr, *try_key_ = nullptr;
-  QHBoxLayout* panels_ = nullptr;
+  QHBoxLayout* panels_ = nullptr;  // left_, middle_ and tabs_
+  QVBoxLayout *body_ = nullptr, *middle_ = nullptr;  // panels_, and the tooth; one of both ends with the checks
   QStackedWidget* left_ = nullptr;  // the first of panels_, or the last of tabs_
   QWidget* tooth_page_ = nullptr;  // of left_
   LaterForms forms_;

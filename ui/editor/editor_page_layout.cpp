@@ -60,22 +60,26 @@ QWidget* EditorPage::make_panels() {
   auto* body = new QWidget;
   body->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // fit_left() fits it to the window
   body->setMinimumWidth(stage_->minimumWidth() + px(kRight));
-  panels_ = new QHBoxLayout(body);
-  panels_->setContentsMargins(0, 0, 0, 0);
+  body_ = new QVBoxLayout(body);
+  body_->setContentsMargins(0, 0, 0, 0);
+  body_->setSpacing(0);
+  panels_ = new QHBoxLayout;
   panels_->setSpacing(0);
+  body_->addLayout(panels_, 1);
   panels_->addWidget(make_left());
-  auto* middle = new QVBoxLayout;
-  middle->setSpacing(0);
-  middle->addWidget(stage_, 1);
-  middle->addWidget(make_checks());
-  panels_->addLayout(middle, 1);
+  middle_ = new QVBoxLayout;
+  middle_->setSpacing(0);
+  middle_->addWidget(stage_, 1);
+  middle_->addWidget(make_checks());
+  panels_->addLayout(middle_, 1);
   panels_->addWidget(make_right());
   return body;
 }
 
 bool EditorPage::left_in_tabs() const { return tabs_->indexOf(left_) >= 0; }
 
-/// In a window too narrow for three panels the left one is a tab at the right, and the top bar keeps signs for texts.
+/// In a window too narrow for three panels the left one is a tab at the right, the checks take the whole width, where a message needs
+/// fewer lines, and the top bar keeps signs for texts.
 void EditorPage::fit_left() {
   const bool into_tabs = width() < px(kLeft) + stage_->minimumWidth() + px(kRight);
   if (into_tabs == left_in_tabs()) return;
@@ -89,6 +93,9 @@ void EditorPage::fit_left() {
     panels_->insertWidget(0, left_);
     left_->show();
   }
+  QWidget* checks = check_->parentWidget();
+  (into_tabs ? middle_ : body_)->removeWidget(checks);
+  (into_tabs ? body_ : middle_)->addWidget(checks);
   back_->setText(into_tabs ? QString() : u' ' + tr("Library"));  // as make_button: the style leaves no space after the sign
   back_->setShortcut(Qt::ALT | Qt::Key_Left);                    // a new text takes the shortcut away
   show_version();
@@ -107,7 +114,7 @@ void EditorPage::resizeEvent(QResizeEvent* event) {
   check_aside_->setHidden(narrow);
   checks_chip_->setHidden(narrow);
   show_->setText(narrow ? QString() : u' ' + tr("Show"));
-  check_->parentWidget()->setFixedHeight(px(narrow ? kChecksNarrow : kChecks));  // a check takes a line more
+  check_->parentWidget()->setFixedHeight(px(narrow && !left_in_tabs() ? kChecksNarrow : kChecks));  // a check takes a line more
   title_->setMinimumWidth(px(narrow ? 100 : 200));
 }
 
@@ -171,7 +178,7 @@ QWidget* EditorPage::make_left() {
   auto* side = new QFrame;
   side->setProperty("kind", u"bar_side"_qs);
   auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(px(12), px(12), px(12), px(12));
+  column->setContentsMargins(px(8), px(12), px(8), px(12));  // the widest button stands beside a scroll bar
   column->setSpacing(px(8));
   column->addWidget(make_label(tr("Target"), TextRole::section, Weight::bold));
   shapes_ = new QButtonGroup(this);
@@ -202,17 +209,10 @@ QWidget* EditorPage::make_left() {
   column->addWidget(on_top_);
   connect(on_top_, &QPushButton::clicked, this, &EditorPage::put_target_on_top);
   column->addWidget(make_rule());
-  column->addWidget(make_label(tr("Tooth"), TextRole::section, Weight::bold));
-  auto* row = new QHBoxLayout;
-  tooth_ = make_label({});
-  tooth_->setWordWrap(true);
-  row->addWidget(tooth_, 1);
-  change_ = make_button(tr("Change"), ButtonKind::standard);
-  change_->setAccessibleName(tr("Change the tooth"));
-  row->addWidget(change_);
-  column->addLayout(row);
-  connect(change_, &QPushButton::clicked, this, [this] { show_tooth_form(true); });
-  left_->addWidget(make_scrolling(side));
+  add_tooth(*column);
+  QScrollArea* area = make_scrolling(side);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // its texts wrap
+  left_->addWidget(area);
   auto* frame = new QFrame;
   frame->setProperty("kind", u"bar_side"_qs);
   auto* inside = new QVBoxLayout(frame);
@@ -227,6 +227,19 @@ QWidget* EditorPage::make_left() {
   return left_;
 }
 
+void EditorPage::add_tooth(QVBoxLayout& column) {
+  column.addWidget(make_label(tr("Tooth"), TextRole::section, Weight::bold));
+  auto* row = new QHBoxLayout;
+  tooth_ = make_label({});
+  tooth_->setWordWrap(true);
+  row->addWidget(tooth_, 1);
+  change_ = make_button(tr("Change"), ButtonKind::standard);
+  change_->setAccessibleName(tr("Change the tooth"));
+  row->addWidget(change_);
+  column.addLayout(row);
+  connect(change_, &QPushButton::clicked, this, [this] { show_tooth_form(true); });
+}
+
 QWidget* EditorPage::make_right() {
   auto* panel = new QFrame;
   panel->setProperty("kind", u"panel_right"_qs);
@@ -235,7 +248,7 @@ QWidget* EditorPage::make_right() {
   column->setContentsMargins(1, 0, 0, 0);
   tabs_ = new QTabWidget;
   tabs_->setDocumentMode(true);
-  tabs_->tabBar()->setProperty("tight", true);  // six tabs in 368 px
+  tabs_->tabBar()->setProperty("tight", true);  // six tabs in 368 px, or seven
   tabs_->addTab(forms_.add([this] { return new ShapeForm(*model_); }), tr("Shape"));
   tabs_->addTab(forms_.add([this] { return new PointsForm(*model_); }), tr("Points"));
   tabs_->addTab(forms_.add([this] { return new BursForm(*model_); }), tr("Burs"));

@@ -24,6 +24,8 @@ namespace {
 constexpr double kFirstPitch = 1.2;                  // radians: nearly from above, with the floor's depth in view
 constexpr int kCarveDelayMs = 200;                         // pause before the cavity is carved
 constexpr int kLeastWidth = 230;                           // px at 100 %: beside both panels in 1280 px at 150 %
+constexpr int kLeastHeight = 120;                          // px at 100 %: the page's bands keep room in 800 px at 200 %
+constexpr int kShort = 320;                                // px at 100 %: a lower view shows the legend or the section
 
 QString handle_mm(double value) { return format({value, {}, QStringLiteral("mm"), 2}); }
 
@@ -31,7 +33,7 @@ QString handle_mm(double value) { return format({value, {}, QStringLiteral("mm")
 
 TargetView::TargetView(EditorModel& model, QWidget* parent)
     : QWidget(parent), model_(model), view_(new ToothView(this)), shown_(model.scenario().target) {
-  setMinimumSize(px(kLeastWidth), px(320));
+  setMinimumSize(px(kLeastWidth), px(kLeastHeight));
   view_->set_left_turns(true);
   make_tools();
   make_legend();
@@ -195,6 +197,7 @@ void TargetView::place_all() {
   view_->lower();
   fit_tools();
   tools_->move(px(12), px(12));
+  legend_->setVisible(!section_->is_open() || height() >= px(kShort));
   legend_->adjustSize();
   // Beside the tools, or below them in a narrow window.
   const bool beside = tools_->geometry().right() + px(12) + legend_->width() <= width() - px(12);

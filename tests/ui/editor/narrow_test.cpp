@@ -2,6 +2,9 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTabBar>
 #include <QTabWidget>
 
 #include "tests/ui/editor/editor_pages.h"
@@ -53,6 +56,61 @@ TEST_F(EditorPages, at_200_percent_1280_pixels_hold_the_tooth_and_one_panel_in_g
   }
   apply_theme(*qApp, ColourScheme::light, 100);
   install_language(*qApp, QStringLiteral("en"));
+}
+
+TEST_F(EditorPages, at_200_percent_the_page_is_as_high_as_a_window_of_800_pixels_and_no_tab_is_cut) {
+  for (const char* language : {"de", "en"}) {
+    install_language(*qApp, QLatin1String(language));
+    apply_theme(*qApp, ColourScheme::light, 200);
+    const auto page = open();
+    EXPECT_EQ(page->size(), QSize(1280, 800)) << language;
+    EXPECT_LT(page->minimumSizeHint().height(), 760) << language;
+    auto* tabs = page->findChild<QTabWidget*>();
+    ASSERT_EQ(tabs->count(), 7) << language;
+    EXPECT_LE(tabs->tabBar()->sizeHint().width(), tabs->width()) << language << ": an arrow hides a tab";
+    tabs->setCurrentIndex(6);
+    QTest::qWait(0);
+    const auto* target = tabs->currentWidget()->findChild<QScrollArea*>();
+    ASSERT_TRUE(target->isVisible()) << language;
+    EXPECT_EQ(target->horizontalScrollBar()->maximum(), 0) << language;
+    EXPECT_FALSE(target->horizontalScrollBar()->isVisible()) << language;
+    EXPECT_GE(page->stage()->height(), 500) << language << ": of 800, 96 are the bar's and 160 the checks'";
+  }
+  apply_theme(*qApp, ColourScheme::light, 100);
+  install_language(*qApp, QStringLiteral("en"));
+}
+
+TEST_F(EditorPages, the_checks_take_the_whole_width_while_the_left_panel_is_a_tab) {
+  apply_theme(*qApp, ColourScheme::light, 200);
+  const auto page = open();
+  const auto* checks = named<QFrame>(*page, "Checks");
+  ASSERT_NE(checks, nullptr);
+  EXPECT_EQ(checks->width(), 1280);
+  EXPECT_EQ(checks->mapTo(page.get(), QPoint(0, checks->height())).y(), page->height());
+  page->resize(1800, 1000);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return checks->width() == page->stage()->width(); }));
+  page->resize(1280, 800);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return checks->width() == 1280; }));
+  apply_theme(*qApp, ColourScheme::light, 100);
+}
+
+TEST_F(EditorPages, a_low_view_shows_the_section_without_the_legend) {
+  apply_theme(*qApp, ColourScheme::light, 200);
+  const auto page = open();
+  const auto legend = [&] {
+    for (const QLabel* label : page->stage()->findChildren<QLabel*>())
+      if (label->text() == QStringLiteral("Tolerance zone")) return label->isVisible();
+    ADD_FAILURE() << "no legend";
+    return false;
+  };
+  EXPECT_TRUE(legend());
+  auto* section = named<QPushButton>(*page->stage(), "Section");
+  ASSERT_NE(section, nullptr);
+  section->click();
+  EXPECT_FALSE(legend());
+  section->click();
+  EXPECT_TRUE(legend());
+  apply_theme(*qApp, ColourScheme::light, 100);
 }
 
 TEST_F(EditorPages, the_left_panel_is_a_tab_while_the_window_is_too_narrow_for_three) {
