@@ -34,7 +34,8 @@ std::vector<HeadRow::Line> HeadRow::lines(int width) const {
   if (whole.size.width() <= width) return {whole};
   for (std::size_t i = 0; i < whole.items.size(); ++i) {
     const int more = spacing() + whole.items[i]->sizeHint().width();
-    if (i < 2 || out.back().size.width() + more > width) out.emplace_back();  // the title stands alone
+    const bool alone = kind_ == Kind::titled && i < 2;  // the title is
+    if (out.empty() || alone || out.back().size.width() + more > width) out.emplace_back();
     add(out.back(), whole.items[i]);
   }
   return out;
@@ -62,12 +63,13 @@ void HeadRow::setGeometry(const QRect& rect) {
   QLayout::setGeometry(rect);
   const Qt::LayoutDirection way = parentWidget() ? parentWidget()->layoutDirection() : Qt::LeftToRight;
   const auto all = lines(rect.width());
-  int y = rect.top();
+  const bool titled = kind_ == Kind::titled;
+  int y = titled ? rect.top() : rect.top() + std::max(0, (rect.height() - heightForWidth(rect.width())) / 2);
   for (const Line& line : all) {
     int x = rect.left();
     for (QLayoutItem* item : line.items) {
       // Beside the title the buttons keep to the end.
-      if (all.size() == 1 && item != line.items.front() && x < rect.right() && item == line.items[1])
+      if (titled && all.size() == 1 && item != line.items.front() && x < rect.right() && item == line.items[1])
         x = rect.right() + 1 - (line.size.width() - line.items.front()->sizeHint().width() - spacing());
       const QSize size = item->sizeHint();
       const QRect place(x, y + (line.size.height() - size.height()) / 2, std::min(size.width(), rect.width()), size.height());

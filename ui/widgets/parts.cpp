@@ -172,11 +172,24 @@ Band::Band(QWidget* parent) : QFrame(parent) {
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::RichText);
   row->addWidget(sign_, 0, Qt::AlignTop);
-  row->addWidget(text_, 1);
-  ways_out_ = new QHBoxLayout;
+  body_ = new QBoxLayout(QBoxLayout::LeftToRight);
+  body_->setSpacing(px(12));
+  body_->addWidget(text_, 1);
+  ways_out_ = new HeadRow(HeadRow::Kind::buttons);
   ways_out_->setSpacing(px(12));
-  row->addLayout(ways_out_);
+  body_->addLayout(ways_out_);
+  row->addLayout(body_, 1);
   hide();
+}
+
+void Band::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  fit_ways();
+}
+
+void Band::fit_ways() {
+  const bool beside = 2 * ways_out_->sizeHint().width() <= width();
+  body_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 
 void Band::show_message(Kind kind, const QString& what, const QString& more) {
@@ -189,6 +202,7 @@ void Band::show_message(Kind kind, const QString& what, const QString& more) {
   text_->setText(more.isEmpty() ? u"<b>%1</b>"_qs.arg(what.toHtmlEscaped())
                                 : u"<b>%1</b> %2"_qs.arg(what.toHtmlEscaped(), more.toHtmlEscaped()));
   setAccessibleName(more.isEmpty() ? what : what + u' ' + more);
+  fit_ways();  // one of them may be hidden since
   show();
   announce(this, accessibleName());
 }

@@ -85,7 +85,8 @@ class Segments : public QWidget {
   QButtonGroup* group_;
 };
 
-/// Message at the head of a page: sign, bold sentence, plain sentence, buttons. A screen reader announces it.
+/// Message at the head of a page: sign, bold sentence, plain sentence, buttons. Where these would take more than half of
+/// the width they stand below, in as many lines as they need. A screen reader announces it.
 class Band : public QFrame {
   Q_OBJECT
 
@@ -95,12 +96,18 @@ class Band : public QFrame {
   void show_message(Kind kind, const QString& what, const QString& more = {});
   void clear();
   QString text() const;
-  QHBoxLayout* ways_out() { return ways_out_; }
+  QLayout* ways_out() { return ways_out_; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void fit_ways();
+
   QLabel* sign_;
   QLabel* text_;
-  QHBoxLayout* ways_out_;
+  QBoxLayout* body_;  // text_ and ways_out_
+  QLayout* ways_out_;
 };
 
 /// A form with each label above its field, 4 px apart.

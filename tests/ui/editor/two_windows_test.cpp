@@ -1,6 +1,7 @@
 // One draft in two windows, each with a store of its own as two processes have: the second one to save gets the choice.
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -12,9 +13,12 @@
 #include "ui/editor/editor_page.h"
 #include "ui/editor/editor_records.h"
 #include "tests/ui/editor/editor_pages.h"
+#include "tests/ui/whole_texts.h"
 #include "ui/instructor/library_page.h"
+#include "ui/text/language.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
+#include "ui/widgets/theme.h"
 
 namespace cusp::test {
 namespace {
@@ -91,6 +95,31 @@ TEST_F(TwoWindows, the_second_to_save_is_warned_and_nothing_is_written) {
   EXPECT_DOUBLE_EQ(second->model().scenario().target.outline.width_mm, 1.9) << "what was done here stands";
   EXPECT_FALSE(save(*second)) << "until one chooses";
   EXPECT_TRUE(asked.isEmpty());
+}
+
+TEST_F(TwoWindows, the_three_ways_stand_whole_in_1280_by_800_pixels_at_200_percent_in_german) {
+  install_language(*qApp, QStringLiteral("de"));
+  apply_theme(*qApp, ColourScheme::light, 200);
+  second = open(*other);
+  second->resize(1280, 800);
+  first->model().set_depth_mm(2.6);
+  ASSERT_TRUE(save(*first));
+  second->model().set_width_mm(1.9);
+  ASSERT_FALSE(save(*second));
+  const Band* band = nullptr;
+  for (const Band* one : second->findChildren<Band*>())
+    if (one->isVisible() && one->findChildren<QPushButton*>().size() == 3) band = one;
+  ASSERT_NE(band, nullptr);
+  const auto whole = [&] {
+    for (const QPushButton* one : band->findChildren<QPushButton*>())
+      if (clipped(*one) || !band->rect().contains(one->geometry())) return false;
+    return true;
+  };
+  EXPECT_TRUE(QTest::qWaitFor(whole));
+  EXPECT_EQ(second->size(), QSize(1280, 800)) << "the band pushes nothing beyond the window";
+  for (const QLabel* text : band->findChildren<QLabel*>()) EXPECT_FALSE(clipped(*text)) << described(*text);
+  apply_theme(*qApp, ColourScheme::light, 100);
+  install_language(*qApp, QStringLiteral("en"));
 }
 
 TEST_F(TwoWindows, mine_is_kept_as_a_copy_and_theirs_stays) {

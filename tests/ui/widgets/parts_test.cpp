@@ -52,6 +52,36 @@ TEST(Gauge, without_a_value_shows_a_dash_and_takes_no_nonsense) {
   EXPECT_FALSE(gauge.grab().isNull());
 }
 
+TEST(Band, puts_buttons_that_take_more_than_half_of_its_width_below_its_text) {
+  QWidget page;
+  auto* column = new QVBoxLayout(&page);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* band = new Band;
+  column->addWidget(band);
+  column->addStretch();
+  std::vector<QPushButton*> buttons;
+  for (const char* name : {"Keep", "See", "Replace"}) {
+    buttons.push_back(make_button(QLatin1String(name)));
+    buttons.back()->setFixedWidth(300);
+    band->ways_out()->addWidget(buttons.back());
+  }
+  page.resize(700, 600);
+  page.show();
+  band->show_message(Band::Kind::look, QStringLiteral("Another window saved this draft."), QStringLiteral("Yours is not saved."));
+  const auto text_bottom = [&] {
+    for (const QLabel* label : band->findChildren<QLabel*>())
+      if (!label->text().isEmpty()) return label->geometry().bottom();
+    return -1;
+  };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return buttons[0]->y() > text_bottom() && text_bottom() > 0; }));
+  EXPECT_EQ(page.width(), 700) << "the buttons did not widen the page";
+  EXPECT_EQ(buttons[1]->y(), buttons[0]->y());
+  EXPECT_GT(buttons[2]->y(), buttons[0]->geometry().bottom()) << "two of 300 px in 640";
+  for (const QPushButton* button : buttons) EXPECT_TRUE(band->rect().contains(button->geometry())) << button->text().toStdString();
+  page.resize(2000, 600);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return buttons[0]->y() <= text_bottom() && buttons[2]->y() == buttons[0]->y(); }));
+}
+
 TEST(Bar, keeps_its_share_between_nothing_and_all) {
   Bar bar;
   bar.set_share(1.7);
