@@ -1,5 +1,6 @@
 #include "storage/export/gradebook.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -16,7 +17,10 @@ struct Result {
   std::string number, name;
   double score = 0;
   std::optional<double> pass_mark{};
+  bool passed = false;
 };
+
+bool reaches_mark(const Result& r) { return r.pass_mark && scenarios::reaches(r.score, *r.pass_mark); }
 
 struct Results {
   std::map<std::string, Result> best;  // by number
@@ -34,7 +38,7 @@ Results results_of(const std::vector<HistoryRow>& rows) {
       continue;
     }
     out.most = row.score_max.value_or(out.most);
-    const Result result{row.student_number, row.student_name, *row.score, row.pass_mark};
+    const Result result{row.student_number, row.student_name, *row.score, row.pass_mark, row.passed.value_or(false)};
     const auto [at, fresh] = out.best.try_emplace(row.student_number, result);
     if (!fresh && result.score > at->second.score) at->second = result;
   }
@@ -47,7 +51,7 @@ double hundredths(double points) { return std::round(points * 100) / 100; }
 /// Rounded to hundredths of a point, but never up to the pass mark: the gradebook would count 69.996 of 70 as passed.
 std::string points_text(const Result& r) {
   const double rounded = hundredths(r.score);
-  const bool lifted = r.pass_mark && rounded >= *r.pass_mark && !scenarios::reaches(r.score, *r.pass_mark);
+  const bool lifted = r.pass_mark && rounded >= *r.pass_mark && !reaches_mark(r);
   return csv_number(lifted ? std::floor(r.score * 100) / 100 : rounded);
 }
 
@@ -79,7 +83,11 @@ Stored<GradebookFile> make_gradebook(StorageContext& context, const Actor& actor
   if (!rows) return std::unexpected(rows.error());
   const Results results = results_of(*rows);
   const std::string title = title_in(version->title, language);
-  return GradebookFile{system == Gradebook::moodle ? for_moodle(results, title) : for_canvas(results, title), results.best.size(), results.withheld};
+  const auto failed = std::ranges::count_if(results.best, [](const auto& one) { return !one.second.passed && reaches_mark(one.second); });
+  return GradebookFile{.text = system == Gradebook::moodle ? for_moodle(results, title) : for_canvas(results, title),
+                       .students = results.best.size(),
+                       .withheld = results.withheld,
+                       .failed = static_cast<std::size_t>(failed)};
 }
 
 Stored<void> log_gradebook(StorageContext& context, const Actor& actor, AssignmentId assignment, const GradebookFile& file) {

@@ -21,9 +21,10 @@ struct GradebookFile {
   std::string text;
   std::size_t students = 0;  // with a result in the file
   std::size_t withheld = 0;  // whose only results wait for their release, and are left out
+  std::size_t failed = 0;    // of students: whose points reach the pass mark, though a critical event failed that attempt
 };
 
-/// The best released result of each student. Who has none has no line: an empty cell would clear a grade there. Nor has who
+/// The best released result of each student, whether it passed or failed: a gradebook takes points alone. Who has none has no line: an empty cell would clear a grade there. Nor has who
 /// was erased: the gradebook would not know the number. `language`: of the title. Needs export_results. log_gradebook() follows
 /// once the text is written.
 Stored<GradebookFile> make_gradebook(StorageContext& context, const Actor& actor, AssignmentId assignment, Gradebook system,

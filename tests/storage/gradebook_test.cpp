@@ -22,14 +22,18 @@ struct GradebookTest : ::testing::Test {
     exam = must(store->assignments.create(instructor, {.version = version.id, .cohort = cohort, .kind = SessionKind::assessment}, "4711"));
   }
   SessionId sit(const Account& student, double score, bool released = true) {
+    const SessionId id = sit_graded(student, small_grade(score, true));
+    if (released) must(store->statements.release(instructor, id));
+    return id;
+  }
+  SessionId sit_graded(const Account& student, const Grade& grade) {
     NewSession wanted = new_session(student, version);
     wanted.assignment = exam.id;
     wanted.start_code = "4711";
     const SessionId id = must(store->sessions.start(student.actor(), wanted)).id;
     must(store->traces.append(id, second_from(1)));
     must(store->sessions.finish(id, volume_after(12), "student"));
-    must(store->grades.save(id, small_grade(score, true), {}));
-    if (released) must(store->statements.release(instructor, id));
+    must(store->grades.save(id, grade, {}));
     return id;
   }
   GradebookFile file(Gradebook system) { return must(make_gradebook(store->context(), administrator, exam.id, system)); }
@@ -63,6 +67,19 @@ TEST_F(GradebookTest, counts_what_examiners_changed) {
   must(store->statements.override_points(instructor, id, "target_removed", 20, "The block was worn."));
   must(store->statements.release(instructor, id));
   EXPECT_NE(file(Gradebook::moodle).text.find("20267314,70\r\n"), std::string::npos) << file(Gradebook::moodle).text;
+}
+
+TEST_F(GradebookTest, counts_who_failed_by_a_critical_event_with_points_above_the_pass_mark) {
+  const SessionId exposed = sit_graded(lena, small_grade(90, false)), poor = sit_graded(ida, small_grade(40, false));
+  for (const SessionId& id : {exposed, poor}) {
+    must(store->statements.confirm(instructor, id));
+    must(store->statements.release(instructor, id));
+  }
+  sit(omar, 90);
+  const GradebookFile moodle = file(Gradebook::moodle);
+  EXPECT_EQ(moodle.students, 3u);
+  EXPECT_EQ(moodle.failed, 1u) << "Lena; the points of Ida show it";
+  EXPECT_NE(moodle.text.find("\r\n20267314,90\r\n"), std::string::npos) << moodle.text;
 }
 
 TEST_F(GradebookTest, has_points_in_hundredths) {

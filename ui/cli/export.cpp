@@ -165,6 +165,9 @@ int export_for_gradebook(Store& store, const Actor& actor, const ExportOptions& 
   if (!csv.finish()) return kFailed;
   if (o.csv_on_stdout()) return kDone;
   print_line(plain(CliText::tr("%n result(s) exported.", nullptr, static_cast<int>(file.students))));
+  if (file.failed > 0)
+    print_line(plain(CliText::tr("%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.",
+                                 nullptr, static_cast<int>(file.failed))));
   if (file.withheld > 0) print_line(plain(CliText::tr("%n result(s) wait for release.", nullptr, static_cast<int>(file.withheld))));
   return kDone;
 }

@@ -189,6 +189,9 @@ void AssessmentPage::export_gradebook(Gradebook system) {
       return std::nullopt;
     }
     QString done = tr("%n result(s) exported.", nullptr, static_cast<int>(file->students));
+    if (file->failed > 0)
+      done += u' ' + tr("%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.", nullptr,
+                        static_cast<int>(file->failed));
     if (file->withheld > 0) done += u' ' + tr("%n wait(s) for release.", nullptr, static_cast<int>(file->withheld));
     const auto log = [this, file = *file] {
       const auto logged = log_gradebook(store_.context(), actor_, assignment_.id, file);

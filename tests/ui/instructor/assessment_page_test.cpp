@@ -41,14 +41,15 @@ class Candidates : public testing::Test {
       then(true);
     };
   }
-  SessionId sit(const Account& student, double score) {
+  SessionId sit(const Account& student, double score) { return sit_graded(student, sample_grade(score)); }
+  SessionId sit_graded(const Account& student, const Grade& grade) {
     NewSession wanted{.student = student.id, .version = assignment.version, .kind = SessionKind::assessment, .assignment = assignment.id};
     wanted.start_code = "4711";
     wanted.header.device.device_class = "pointer";
     wanted.header.scene = "{}";
     const SessionId id = records.store().sessions.start(student.actor(), wanted)->id;
     EXPECT_TRUE(records.store().sessions.interrupt(id, "left"));
-    EXPECT_TRUE(records.store().grades.save(id, sample_grade(score), Hash256{}));
+    EXPECT_TRUE(records.store().grades.save(id, grade, Hash256{}));
     return id;
   }
   const CandidateRow& row_of(const AssessmentPage& page, const Account& student) {
@@ -180,6 +181,21 @@ TEST_F(Candidates, GoToAGradebookWithTheirReleasedResults) {
   QFile file(path);
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   EXPECT_TRUE(file.readAll().startsWith("Student,ID,SIS User ID"));
+}
+
+TEST_F(Candidates, WhoFailedWithEnoughPointsToPassAreCountedWithTheGradebook) {
+  Grade exposed = sample_grade(90);
+  exposed.passed = false;
+  exposed.critical = {"pulp_exposure"};
+  const SessionId id = sit_graded(ida, exposed);
+  ASSERT_TRUE(records.store().statements.confirm(examiner, id));
+  ASSERT_TRUE(records.store().statements.release(examiner, id));
+  const QTemporaryDir folder;
+  ports.now = [] { return QDateTime(QDate(2026, 11, 20), QTime(9, 0)); };
+  ports.pick_file = [&](QWidget*, const FileWish&, const std::function<void(const QString&)>& then) { then(folder.filePath(QStringLiteral("out.csv"))); };
+  AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  page.export_gradebook(Gradebook::moodle);
+  EXPECT_TRUE(page.message().contains(QStringLiteral("1 of them failed by a critical event"))) << page.message().toStdString();
 }
 
 TEST_F(Candidates, AreNoExportInTheLogBeforeAFileIsChosen) {
