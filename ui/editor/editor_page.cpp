@@ -99,11 +99,12 @@ void EditorPage::follow_grower() {
   });
 }
 
-/// If the program dies, only the edits since the last pause are lost.
+/// If the program dies, only the edits since the last pause are lost; of a new exercise, nothing.
 void EditorPage::start_autosave() {
   autosave_.setSingleShot(true);
   autosave_.setInterval(kAutosaveMs);
   connect(&autosave_, &QTimer::timeout, this, &EditorPage::keep);
+  if (!kept_ && !model_->published()) autosave_.start();  // a new exercise: nothing else names the tooth that an import made
   connect(model_, &EditorModel::changed, this, [this] {
     autosave_.start();
     band_->clear();

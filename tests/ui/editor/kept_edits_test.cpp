@@ -106,6 +106,17 @@ TEST_F(EditorPages, what_is_edited_while_a_version_is_published_is_kept_when_the
   EXPECT_DOUBLE_EQ(read_scenario(drafts->front().json)->target.outline.depth_mm, 1.7);
 }
 
+TEST_F(EditorPages, a_new_exercise_is_kept_before_its_first_edit) {
+  EditorStart start = coarse();
+  start.published.reset();
+  start.draft.id = ScenarioId::make();
+  start.draft.key.clear();
+  start.folder = drafts_folder(records.file(), start.draft.id).string();
+  const auto page = open(start);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !records.store().scenarios.drafts(instructor.actor())->empty(); }, kGrowsWithinMs));
+  EXPECT_EQ(page->model().stack().count(), 0);
+}
+
 TEST_F(EditorPages, a_page_that_could_not_publish_before_it_left_stays_after_the_next_version) {
   EditorStart start = coarse();
   const auto volume = make_specimen(start.draft.specimen, {});
