@@ -5,8 +5,10 @@
 #include <QKeySequence>
 #include <QLabel>
 #include <QMenu>
+#include <QPointer>
 #include <QPushButton>
 #include <algorithm>
+#include <utility>
 
 #include "ui/student/course.h"
 #include "ui/text/failure_text.h"
@@ -153,7 +155,7 @@ AssessmentPage::AssessmentPage(Store& store, const Actor& actor, AssignmentId as
 
 QWidget* AssessmentPage::make_bar(const QString& title) {
   const auto [bar, row] = make_bar_top();
-  connect(add_way_back({bar, row}, tr("Back")), &QPushButton::clicked, this, &AssessmentPage::back_wanted);
+  connect(add_way_back({bar, row}, tr("Back")), &QPushButton::clicked, this, &AssessmentPage::leave);
   add_title({bar, row}, title);
   // An assessment is marked without names.
   names_ = make_button(tr("Show names"), ButtonKind::quiet, u"person"_qs);
@@ -225,20 +227,50 @@ QWidget* AssessmentPage::make_adjustments() {
   QLabel* from = make_label(tr("for attempts that begin from now on"), TextRole::body, Weight::regular, "text2");
   from->setWordWrap(true);
   row->addWidget(from, 1);
-  connect(keep, &QPushButton::clicked, this, [this] { adjust({static_cast<int>(extra_->value()), large_->isChecked()}); });
+  connect(keep, &QPushButton::clicked, this, [this] { adjust(set_here()); });
   return extra_row_;
 }
 
 void AssessmentPage::show_chosen() {
   const int row = table_->chosen_row();
   const bool offered = row >= 0 && assignment_.kind == SessionKind::assessment && may(actor_.role, Action::assign);
+  if (half_filled() && (row < 0 || model_->row(row).student != edited_->student)) return leave_adjustment([this] { show_chosen(); });
   extra_row_->setVisible(offered);
-  if (!offered) return;
-  const QString name = tr("Extra time of %1").arg(model_->row(row).candidate);
+  if (!offered) return edited_.reset();
+  show_adjustment(model_->row(row));
+}
+
+/// A list that is read anew keeps what is set here, unless another desk has changed it.
+void AssessmentPage::show_adjustment(const CandidateRow& row) {
+  const bool stays = edited_ && edited_->student == row.student && edited_->adjustment == row.adjustment;
+  edited_ = {row.student, row.adjustment};
+  const QString name = tr("Extra time of %1").arg(row.candidate);
   extra_of_->setText(name);
   extra_->setAccessibleName(name);
-  extra_->show_value(model_->row(row).adjustment.extra_time_percent);
-  large_->setChecked(model_->row(row).adjustment.large_text);
+  if (stays) return;
+  extra_->show_value(row.adjustment.extra_time_percent);
+  large_->setChecked(row.adjustment.large_text);
+}
+
+Adjustment AssessmentPage::set_here() const { return {static_cast<int>(extra_->value()), large_->isChecked()}; }
+
+bool AssessmentPage::half_filled() const { return edited_ && set_here() != edited_->adjustment; }
+
+void AssessmentPage::leave_adjustment(std::function<void()> then) {
+  ports_.ask(this, leave_form_question(), [self = QPointer(this), then = std::move(then)](bool yes) {
+    if (!self || !self->edited_) return;
+    if (yes) {
+      self->edited_.reset();
+      return then();
+    }
+    for (int row = 0; row < self->model_->rowCount(); ++row)
+      if (self->model_->row(row).student == self->edited_->student) return self->table_->choose_row(row);
+  });
+}
+
+void AssessmentPage::leave() {
+  if (!half_filled()) return Q_EMIT back_wanted();
+  leave_adjustment([this] { Q_EMIT back_wanted(); });
 }
 
 void AssessmentPage::adjust(const Adjustment& adjustment) {
@@ -303,6 +335,7 @@ void AssessmentPage::read() {
   release_->setEnabled(std::ranges::any_of(rows, may_be_released));
   const auto chosen = std::ranges::find_if(rows, same);
   const int row = chosen == rows.end() ? std::max(before, 0) : static_cast<int>(chosen - rows.begin());
+  if (edited_ && std::ranges::find(rows, edited_->student, &CandidateRow::student) == rows.end()) edited_.reset();
   model_->set_rows(std::move(rows));
   table_->setColumnHidden(CandidatesModel::kName, !names_->isChecked());
   table_->choose_row(row);

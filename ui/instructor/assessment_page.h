@@ -3,12 +3,14 @@
 
 #include <QAbstractTableModel>
 #include <QWidget>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "storage/export/gradebook.h"
 #include "storage/store.h"
 #include "ui/modules.h"
+#include "ui/widgets/half_filled.h"
 #include "ui/widgets/ports.h"
 
 class QCheckBox;
@@ -47,7 +49,7 @@ class CandidatesModel : public QAbstractTableModel {
   std::vector<CandidateRow> rows_;
 };
 
-class AssessmentPage : public QWidget {
+class AssessmentPage : public QWidget, public HalfFilled {
   Q_OBJECT
 
  public:
@@ -55,6 +57,8 @@ class AssessmentPage : public QWidget {
   const CandidatesModel& model() const { return *model_; }
   Table* table() const { return table_; }
   QString message() const;
+  /// An adjustment is set that is not kept yet.
+  bool half_filled() const override;
   /// Of the chosen candidate, for attempts that begin afterwards. One that another desk made since the page was read stays.
   void adjust(const Adjustment& adjustment);
   /// Asks for the file of a column of results.
@@ -75,6 +79,11 @@ class AssessmentPage : public QWidget {
   QPushButton* make_gradebook_button();
   QWidget* make_adjustments();
   void show_chosen();
+  void show_adjustment(const CandidateRow& row);
+  Adjustment set_here() const;
+  /// Asks first about an adjustment that is not kept yet.
+  void leave_adjustment(std::function<void()> then);
+  void leave();
   void read();
   void open_chosen();
   void release_now();
@@ -92,6 +101,11 @@ class AssessmentPage : public QWidget {
   NumberField* extra_ = nullptr;
   QLabel* extra_of_ = nullptr;
   QWidget* extra_row_ = nullptr;
+  struct Edited {
+    UserId student;
+    Adjustment adjustment;  // as the records have it
+  };
+  std::optional<Edited> edited_;  // whose adjustment the fields hold
 };
 
 }  // namespace cusp::ui

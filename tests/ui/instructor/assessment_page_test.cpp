@@ -16,6 +16,7 @@
 #include "tests/ui/desk_records.h"
 #include "tests/ui/whole_texts.h"
 #include "ui/instructor/assessment_page.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::test {
@@ -153,6 +154,43 @@ TEST_F(Candidates, KeepAnAdjustmentThatAnotherDeskMadeMeanwhile) {
   EXPECT_EQ(page.model().row(page.table()->chosen_row()).student, ida.id);
   page.adjust(both);
   EXPECT_EQ(*records.store().assignments.adjustment(assignment.id, ida.id), both);
+}
+
+TEST_F(Candidates, WhoseAdjustmentIsNotKeptYetAreAskedAboutBeforeAnotherOneIsShownOrThePageIsLeft) {
+  int questions = 0;
+  bool answer = false;
+  ports.ask = [&](QWidget*, const Question& question, std::function<void(bool)> then) {
+    ++questions;
+    asked = question.what;
+    then(answer);
+  };
+  AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  QSignalSpy back(&page, &AssessmentPage::back_wanted);
+  page.show();
+  page.table()->choose_row(0);
+  auto* extra = page.findChild<NumberField*>();
+  ASSERT_NE(extra, nullptr);
+  EXPECT_FALSE(page.half_filled());
+  extra->setValue(25);
+  EXPECT_TRUE(page.half_filled());
+  page.hide();
+  page.show();  // as after a report: the candidates are read anew
+  EXPECT_DOUBLE_EQ(extra->value(), 25);
+  EXPECT_EQ(questions, 0);
+  page.table()->choose_row(1);
+  EXPECT_EQ(asked, QStringLiteral("Leave without saving the form?"));
+  EXPECT_EQ(page.table()->chosen_row(), 0);
+  EXPECT_DOUBLE_EQ(extra->value(), 25);
+  for (QPushButton* button : page.findChildren<QPushButton*>())
+    if (button->accessibleName() == QStringLiteral("Back")) button->click();
+  EXPECT_EQ(questions, 2);
+  EXPECT_EQ(back.count(), 0);
+  answer = true;
+  page.table()->choose_row(1);
+  EXPECT_EQ(page.table()->chosen_row(), 1);
+  EXPECT_DOUBLE_EQ(extra->value(), 0);
+  EXPECT_FALSE(page.half_filled());
+  EXPECT_EQ(*records.store().assignments.adjustment(assignment.id, page.model().row(0).student), Adjustment{});
 }
 
 TEST_F(Candidates, WhoLeftTheCohortReceiveNoAdjustmentAndTheExaminerReadsWhy) {
