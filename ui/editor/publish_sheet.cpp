@@ -4,7 +4,9 @@
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
+#include <algorithm>
 
 #include "ui/modules.h"
 #include "ui/render/opengl_allowed.h"
@@ -18,6 +20,9 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kWidth = 560, kMostListHeight = 168;  // px at 100 %; longer lists scroll
+constexpr int kSide = 24, kLeastHeight = 96;        // px at 100 %; of all above the buttons
+constexpr int kAroundTheText = 104;                   // px at 100 %, of margins and buttons
+constexpr double kSheetShare = 0.95;
 
 QLabel* line(const QString& text, const char* ink = "") {
   QLabel* label = make_label(text, TextRole::body, Weight::regular, ink);
@@ -37,7 +42,7 @@ QWidget* list_of(const QStringList& lines, const QString& name) {
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area->setAccessibleName(name);
   area->setWidget(body);
-  const int wanted = column->totalHeightForWidth(px(kWidth) - 2 * px(24)) + 2;
+  const int wanted = column->totalHeightForWidth(px(kWidth) - 2 * px(kSide)) + 2;
   area->setFixedHeight(std::min(wanted, px(kMostListHeight)));
   area->setFocusPolicy(wanted > px(kMostListHeight) ? Qt::StrongFocus : Qt::NoFocus);
   return area;
@@ -51,8 +56,12 @@ PublishSheet::PublishSheet(PublishFacts facts, const QString& title, const Ports
   setWindowTitle(tr("Publish"));
   setAccessibleName(tr("Publish"));
   setFixedWidth(px(kWidth));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(px(24), px(24), px(24), px(24));
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(px(kSide), px(kSide), px(kSide), px(kSide));
+  outer->setSpacing(px(8));
+  auto* body = new QWidget;
+  auto* column = new QVBoxLayout(body);
+  column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(px(8));
   auto* head = make_label(tr("Publish version %1 of %2?").arg(facts_.number).arg(isolate(title)), TextRole::section, Weight::bold);
   head->setWordWrap(true);
@@ -67,8 +76,26 @@ PublishSheet::PublishSheet(PublishFacts facts, const QString& title, const Ports
   add_changes(*column);
   add_uses(*column);
   add_trial(*column);
-  add_buttons(*column);
-  setMinimumHeight(column->totalHeightForWidth(px(kWidth)));  // Qt gives a dialog two thirds of the screen's height at most
+  area_ = make_scrolling(body);
+  area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area_->setAccessibleName(head->text());
+  outer->addWidget(area_, 1);
+  add_buttons(*outer);
+  fit_height();
+}
+
+/// As high as what it shows, where the screen has that much: Qt gives a dialog two thirds of the screen's height at most.
+void PublishSheet::fit_height() {
+  const int wanted = area_->widget()->layout()->totalHeightForWidth(px(kWidth) - 2 * px(kSide));
+  const int room = static_cast<int>(kSheetShare * screen()->availableGeometry().height()) - px(kAroundTheText);
+  const int given = std::min(wanted, std::max(px(kLeastHeight), room));
+  area_->setMinimumHeight(given);
+  area_->setFocusPolicy(given < wanted ? Qt::StrongFocus : Qt::NoFocus);
+}
+
+void PublishSheet::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  fit_height();  // the theme's fonts are known only now
 }
 
 void PublishSheet::add_changes(QVBoxLayout& column) {

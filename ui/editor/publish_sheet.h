@@ -1,5 +1,6 @@
 /// The question before a version is published, with what it changes, who uses an older version and whether it was tried out.
-/// Asks once more before an exercise is published that nobody tried out. Thread: GUI.
+/// Asks once more before an exercise is published that nobody tried out. Scrolls above its buttons where the screen is lower than
+/// what it shows. Thread: GUI.
 #pragma once
 
 #include <QDialog>
@@ -9,6 +10,7 @@
 #include "ui/widgets/ports.h"
 
 class QPushButton;
+class QScrollArea;
 class QVBoxLayout;
 
 namespace cusp::ui {
@@ -27,7 +29,11 @@ class PublishSheet : public QDialog {
   void publish_wanted();
   void try_out_wanted();
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
+  void fit_height();
   void add_changes(QVBoxLayout& column);
   void add_uses(QVBoxLayout& column);
   void add_trial(QVBoxLayout& column);
@@ -35,6 +41,7 @@ class PublishSheet : public QDialog {
 
   PublishFacts facts_;
   const Ports& ports_;
+  QScrollArea* area_ = nullptr;
   QPushButton *publish_ = nullptr, *try_ = nullptr;
 };
 

@@ -8,6 +8,9 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QThread>
 
@@ -21,6 +24,7 @@
 #include "ui/editor/publish_sheet.h"
 #include "ui/session/background_task.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/theme.h"
 
 namespace cusp::test {
 namespace {
@@ -66,6 +70,26 @@ TEST_F(PublishSheets, ListWhatChangedWithValuesOfNowAndBefore) {
   EXPECT_TRUE(text.contains(QStringLiteral("Full points for Floor depth, mean: 1.35 to 1.65"))) << "the bands move with the depth: " << text.toStdString();
   EXPECT_TRUE(text.contains(QStringLiteral("None."))) << "no cohort uses it";
   EXPECT_EQ(versions(*page), 0u);
+}
+
+TEST_F(PublishSheets, AreNoHigherThanTheScreenAtALargeTextSize) {
+  apply_theme(*qApp, ColourScheme::light, 200);
+  const auto page = open();
+  page->model().set_depth_mm(1.5);
+  page->model().end_gesture();
+  page->model().set_pass(60);
+  page->model().set_title("en", QStringLiteral("A channel of another depth"));
+  page->model().set_own_assessment(EditorModel::OwnAssessment::asked);
+  ASSERT_TRUE(open_sheet(*page));
+  PublishSheet* sheet = sheet_of(*page);
+  QTest::qWait(0);
+  EXPECT_LE(sheet->height(), sheet->screen()->availableGeometry().height());
+  EXPECT_TRUE(sheet->rect().contains(QRect(sheet->publish()->mapTo(sheet, QPoint()), sheet->publish()->size())));
+  const auto* area = sheet->findChild<QScrollArea*>(QString(), Qt::FindDirectChildrenOnly);
+  ASSERT_NE(area, nullptr);
+  EXPECT_GT(area->verticalScrollBar()->maximum(), 0) << "the rest scrolls";
+  EXPECT_EQ(area->focusPolicy(), Qt::StrongFocus) << "by the keyboard too";
+  apply_theme(*qApp, ColourScheme::light, 100);
 }
 
 TEST_F(PublishSheets, AskOnceMoreBeforeWhatNobodyTriedOutAndOnlyThen) {
