@@ -56,16 +56,54 @@ Result<void, PortFailure> open_port(const std::shared_ptr<HapticPort>& port, con
   driver.join();
   return opened.get();
 }
+
+/// Pauses the loop before the first tick after a driver, or the whole process, stood still for longer than kSilent. That tick
+/// would add the whole time to the session's clock, and a device that does not answer may not use up a time limit.
+/// view() shows the pause as what the guard would have made of that tick.
+class StallPort final : public HapticPort {
+ public:
+  explicit StallPort(HapticPort& port) : port_(port) {}
+  /// `loop` reads this port. Before it starts.
+  void pause_after_stalls(HapticLoop& loop) noexcept { loop_ = &loop; }
+
+  Result<void, PortFailure> open() override { return port_.open(); }
+  Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
+    const Sample sample = port_.wait(deadline);
+    const auto now = std::chrono::steady_clock::now();
+    const bool runs = loop_->hand_over().phase.load(std::memory_order_acquire) == LoopPhase::running;
+    // As the guard has it, the first sample cannot be late.
+    const bool stood = before_ && now - *before_ > kSilent;
+    if (stood) loop_->pause();
+    if (runs) stalled_.store(stood, std::memory_order_release);
+    before_ = now;
+    return sample;
+  }
+  /// Any thread. Whether a stall has paused the loop since it ran last.
+  bool stalled() const noexcept { return stalled_.load(std::memory_order_acquire); }
+  bool over() const noexcept override { return port_.over(); }
+  void write(const Feedback& feedback) noexcept override { port_.write(feedback); }
+  DeviceLimits limits() const override { return port_.limits(); }
+  void close() noexcept override { port_.close(); }
+
+ private:
+  HapticPort& port_;
+  HapticLoop* loop_ = nullptr;
+  std::optional<std::chrono::steady_clock::time_point> before_;  // end of the wait() before
+  std::atomic<bool> stalled_{false};
+};
 }  // namespace
 
 struct ExerciseSession::Inner {
   /// What the haptic thread uses. A driver that does not come back keeps it beyond the session.
   struct Driven {
     Driven(std::shared_ptr<HapticPort> device_port, std::shared_ptr<const PedalSource> pedal, StepState start)
-        : port(std::move(device_port)), with_pedal(*port, std::move(pedal)), loop(with_pedal, std::move(start)) {}
+        : port(std::move(device_port)), with_pedal(*port, std::move(pedal)), watched(with_pedal), loop(watched, std::move(start)) {
+      watched.pause_after_stalls(loop);
+    }
 
     std::shared_ptr<HapticPort> port;
-    PedalledPort with_pedal;  // what the loop reads
+    PedalledPort with_pedal;
+    StallPort watched;  // what the loop reads
     HapticLoop loop;
 
     void end() {
@@ -252,6 +290,10 @@ LiveView ExerciseSession::view() const {
   view.phase = latest.phase;
   view.end = latest.end;
   view.fault = latest.fault;
+  if (view.phase == LoopPhase::paused && in.driven->watched.stalled()) {
+    view.phase = LoopPhase::held;
+    view.fault = Fault::late;
+  }
   view.device = latest.device;
   const bool alive = latest.phase != LoopPhase::ready && latest.phase != LoopPhase::ended;
   view.silent = alive && in.loop().silence() > kSilent;

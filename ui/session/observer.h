@@ -38,7 +38,7 @@ struct LiveView {
   LoopEnd end = LoopEnd::none;
   Fault fault = Fault::none;
   Sample::Status device = Sample::Status::fresh;
-  bool silent = false;                  // no tick for a second: the device's driver stands still, paused or not
+  bool silent = false;                  // no tick for a second: the device's driver stands still, paused or not; afterwards it is held
   double push_n = 0;                    // length of the force before the guard
   double seconds = 0;                   // session time: stands still while paused
   bool time_is_up = false;              // the scenario's time limit is reached: the session is held for good

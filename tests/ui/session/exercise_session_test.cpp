@@ -11,6 +11,7 @@
 #include "scenarios/format/write.h"
 #include "tests/ui/session/gate.h"
 #include "tests/ui/session/small_exercise.h"
+#include "tests/ui/session/sticking_port.h"
 #include "ui/session/replay.h"
 
 namespace cusp::test {
@@ -36,19 +37,6 @@ class Lagging final : public Observer {
   void on_tick(const StepInput&, const StepState&) override { gate.pass(); }
   void on_state(const StepState&, const StateNews&) override {}
   Gate gate;
-};
-
-/// Its driver does not come back while `stuck`.
-class StickingPort final : public DrillingPort {
- public:
-  explicit StickingPort(std::shared_ptr<std::atomic<bool>> stuck) : DrillingPort(1u << 30, Pace::to_deadline), stuck_(std::move(stuck)) {}
-  Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
-    stuck_->wait(true);
-    return DrillingPort::wait(deadline);
-  }
-
- private:
-  std::shared_ptr<std::atomic<bool>> stuck_;
 };
 
 /// Its driver comes back from open() when the gate opens.
