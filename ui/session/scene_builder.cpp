@@ -42,12 +42,15 @@ StiffnessCut stiffness_cut(const Scenario& scenario, double voxel_mm, const Devi
   return out;
 }
 
+Outcome<void> check_axes(const Scenario& scenario, const DeviceLimits& device) {
+  if (device.device_class == "scripted" || sensed_axes(device) >= scenario.device.needs_dof) return {};
+  return session_fail(SessionError::device_axes, device.device_class, std::to_string(scenario.device.needs_dof));
+}
+
 Outcome<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
                                               const DeviceLimits& device) {
   // Of a new attempt: one that was recorded with fewer axes still opens.
-  if (device.device_class != "scripted" && sensed_axes(device) < scenario.device.needs_dof) {
-    return session_fail(SessionError::device_axes, device.device_class, std::to_string(scenario.device.needs_dof));
-  }
+  if (auto enough = check_axes(scenario, device); !enough) return std::unexpected(std::move(enough.error()));
   GuardSettings guard;
   guard.limit_n = device.max_force_n;
   // A mouse and a script have no motor: a late tick cannot push a hand, and a busy desktop's stalls are no faults then.

@@ -30,9 +30,12 @@ StiffnessCut stiffness_cut(const Scenario& scenario, double voxel_mm, const Devi
 /// Axes that the device senses: the three of its place, and those of its orientation. For grade().
 inline int sensed_axes(const DeviceLimits& device) noexcept { return 3 + device.rotation_axes; }
 
+/// device_axes: a device that senses fewer axes than the scenario needs. A script may play every exercise.
+Outcome<void> check_axes(const Scenario& scenario, const DeviceLimits& device);
+
 /// Refuses (scene) a tissue of the specimen that the scenario does not describe, no instruments, and values out of the
-/// engine's range; (device_class) a device that the scenario does not admit; (device_axes) one that senses fewer axes than it
-/// needs. Stiffness is cut by stiffness_cut().
+/// engine's range; (device_class) a device that the scenario does not admit; (device_axes) as check_axes() does. Stiffness is cut by
+/// stiffness_cut().
 Outcome<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
                                               const DeviceLimits& device);
 /// The same with the guard's settings and the share of stiffness of a stored session, whatever axes its device had.

@@ -59,6 +59,8 @@ Outcome<void> resume(SessionPlan& plan, SessionSetup& setup) {
   if (opened->session.header.device.device_class != setup.device.device_class) {
     return session_fail(SessionError::device_class, setup.device.device_class);
   }
+  // The record has the axes of the device that it began with: of this class, another one or the same without its handle may sense fewer.
+  if (auto enough = check_axes(opened->scenario, setup.device); !enough) return std::unexpected(std::move(enough.error()));
   plan.scenario = opened->scenario;
   plan.specimen = opened->scene->specimen;
   setup.device = opened->session.header.device;

@@ -10,6 +10,21 @@
 namespace cusp::test {
 namespace {
 
+/// Senses so many axes of orientation: an Inverse3 with its handle, or without.
+class TurningPort final : public DrillingPort {
+ public:
+  explicit TurningPort(int rotation_axes) : DrillingPort(1u << 30, Pace::to_deadline), rotation_axes_(rotation_axes) {}
+  DeviceLimits limits() const override {
+    DeviceLimits limits = DrillingPort::limits();
+    limits.device_class = "inverse3";
+    limits.rotation_axes = rotation_axes_;
+    return limits;
+  }
+
+ private:
+  int rotation_axes_;
+};
+
 TEST(DeviceInSession, AfterItsDriverStoodStillTheSessionIsHeldAndItsClockLeavesThatTimeOut) {
   const Workplace work;
   const auto stuck = std::make_shared<std::atomic<bool>>(false);
@@ -35,6 +50,30 @@ TEST(DeviceInSession, AfterItsDriverStoodStillTheSessionIsHeldAndItsClockLeavesT
   ASSERT_TRUE(result);
   started->reset();
   EXPECT_TRUE(prove_session(*work.store(), result->session)->holds());
+}
+
+TEST(DeviceInSession, AnInterruptedAttemptGoesOnOnlyWithADeviceThatSensesTheAxesItNeeds) {
+  const Workplace work;
+  SessionPlan plan = work.plan();
+  plan.scenario.device.needs_dof = 6;
+  SessionId session;
+  {
+    TurningPort port(3);
+    auto started = ExerciseSession::start(plan, port);
+    ASSERT_TRUE(started) << key_of(started.error().code) << ' ' << started.error().where << ' ' << started.error().detail;
+    session = (*started)->session();
+    ASSERT_TRUE(eventually([&] { return (*started)->view().seconds > 0; }));
+  }
+  plan.resumes = session;
+  TurningPort without_handle(0);
+  const auto refused = ExerciseSession::start(plan, without_handle);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, SessionError::device_axes);
+  EXPECT_EQ(refused.error().where, "inverse3");
+  EXPECT_EQ(refused.error().detail, "6");
+  EXPECT_EQ(work.store()->sessions.state(session), SessionState::interrupted);
+  TurningPort with_handle(3);
+  EXPECT_TRUE(ExerciseSession::start(plan, with_handle));
 }
 
 }  // namespace
