@@ -122,7 +122,11 @@ void Session::take_text(std::string_view text, LinkTime now) {
   received_ = now;
   awaits_answer_ = false;
   ask_ = true;
-  if (!mine->position_m) return;
+  if (!mine->position_m) {
+    // As with garbage: without a position no force is safe.
+    if (state_.phase == Phase::ready) enter(Phase::silent, now);
+    return;
+  }
   state_.reading.position_m = *mine->position_m;
   state_.has_orientation = state_.has_orientation || frame->orientation.has_value();
   if (frame->orientation) state_.reading.orientation = frame->orientation;

@@ -1,10 +1,11 @@
 /// State machine of the connection to the Inverse3's service. Pure: events and time in, a message or a request to the link
 /// out; no clock, no I/O.
 ///
-///   closed ─open─► connecting ─opened─► greeting ─first place─► ready ─┬─ silence, garbage ─► silent ─ a place ─► ready
+///   closed ─open─► connecting ─opened─► greeting ─first place─► ready ─┬─ no place ─► silent ─ a place ─► ready
 ///     ▲                │ refused                                       │
 ///     └──── pause ◄────┴───────────────── closed, service gone ◄───────┘
 ///
+/// No place: silence, garbage, or an answer that lists the device without its place.
 /// The service sends one message unasked, then one in answer to each message [M]. Force is zero in every phase but ready,
 /// and rises over `ramp` there. A message of zero force leaves as soon as silence begins.
 #pragma once

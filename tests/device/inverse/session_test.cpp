@@ -201,6 +201,22 @@ TEST(InverseSession, one_that_stays_silent_is_gone_and_opened_anew) {
   EXPECT_EQ(rig.request(), Session::LinkRequest::open);
 }
 
+TEST(InverseSession, an_answer_without_a_place_is_no_place_to_push_from) {
+  Rig rig;
+  rig.make_ready();
+  for (int i = 0; i < 600; ++i) rig.exchange();
+  for (const char* state : {"null", "{}", R"({"cursor_position":null})"}) {
+    rig.event(LinkEvent::Kind::message, R"({"inverse3":[{"device_id":"049D","state":)" + std::string(state) + "}]}");
+    EXPECT_EQ(rig.phase(), Phase::silent) << state;
+    rig.session.command({1, 0, 0}, rig.now);
+    EXPECT_EQ(rig.sent(), 0.0) << state;
+    rig.event(LinkEvent::Kind::message, place(0.01));
+    EXPECT_EQ(rig.phase(), Phase::ready) << state;
+    rig.now += 1ms;
+    expect_it_rises_from_zero(rig);
+  }
+}
+
 TEST(InverseSession, garbage_is_no_place_to_push_from_and_too_much_of_it_closes) {
   Rig rig;
   rig.make_ready();
