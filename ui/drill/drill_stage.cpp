@@ -257,7 +257,9 @@ void DrillStage::show_values(const LiveView& live, const FalconView* falcon) {
   live_ = live;
   const double radius = bur_radius_mm();
   show_depth(live, radius);
-  push_->set_value(live.output.contact && !stands_still(live) ? live.push_n : 0.0);
+  const bool pushes = live.output.contact && !stands_still(live);
+  // As in the record, the spring of a proxy that has not converged is no push: the last known one stays.
+  if (!pushes || !live.output.deferred) push_->set_value(pushes ? live.push_n : 0.0);
   Stop stop = Stop::none;
   if (undrawn_) {
     stop = Stop::undrawn;

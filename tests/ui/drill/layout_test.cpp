@@ -170,6 +170,13 @@ TEST_F(DrillGauges, nothing_on_the_stage_covers_anything_else_in_half_a_full_hd_
   }
 }
 
+TEST_F(DrillGauges, the_spring_of_a_proxy_that_has_not_converged_is_not_shown_as_force) {
+  live.output.deferred = true;
+  live.push_n = 23.0;  // the device point is far ahead
+  stage.show_values(live);
+  EXPECT_DOUBLE_EQ(gauge("Force").value().value(), 0.8);
+}
+
 TEST_F(DrillGauges, last_values_of_an_attempt_that_stands_are_no_longer_shown) {
   EXPECT_GT(gauge("Force").value().value(), 0);
   EXPECT_TRUE(coach()->isVisible());
