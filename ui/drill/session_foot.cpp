@@ -1,6 +1,7 @@
 #include "ui/drill/session_foot.h"
 
 #include <QLabel>
+#include <algorithm>
 
 #include "ui/widgets/format.h"
 #include "ui/widgets/icon.h"
@@ -9,10 +10,7 @@
 
 namespace cusp::ui {
 
-double picture_behind_s(const LiveView& live) noexcept {
-  const std::uint64_t tick = live.output.tick, shown = live.shown_tick;
-  return tick > shown ? static_cast<double>(tick - shown) * 1e-3 : 0.0;
-}
+double picture_behind_s(const LiveView& live) noexcept { return std::max(0.0, live.seconds - live.shown_seconds); }
 
 SessionNews session_news(const LiveView& live) noexcept {
   if (live.recording == RecordingState::failed) return SessionNews::failed;

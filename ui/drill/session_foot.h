@@ -26,7 +26,7 @@ enum class SessionNews : std::uint8_t {
 /// Picture and scores this far behind the bur mislead a hand.
 inline constexpr double kPictureBehindS = 1.0;
 
-/// s: how far picture and scores are behind the bur, at 1 kHz.
+/// s of the session: how far picture and scores are behind the bur. Not from ticks: a slow computer's last longer than 1 ms.
 double picture_behind_s(const LiveView& live) noexcept;
 
 SessionNews session_news(const LiveView& live) noexcept;

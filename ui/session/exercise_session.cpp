@@ -308,6 +308,7 @@ LiveView ExerciseSession::view() const {
   view.time_is_up = in.time_is_up(latest);
   if (view.time_is_up && view.phase == LoopPhase::running) in.loop().pause();
   view.shown_tick = followed.tick;
+  view.shown_seconds = static_cast<double>(followed.elapsed_us) * 1e-6;
   view.target_removed_percent = scores.target_measured ? scores.target_removed : 0.0;
   if (scores.target_measured) view.removed_of_percent = scores.removed_of;
   view.over_leeway_mm3 = over(Place::tolerated_floor) + over(Place::tolerated_side);

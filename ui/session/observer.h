@@ -43,8 +43,9 @@ struct LiveView {
   double seconds = 0;                   // session time: stands still while paused
   bool time_is_up = false;              // the scenario's time limit is reached: the session is held for good
 
-  // The mirror's newest state; `shown_tick` is its tick.
+  // The mirror's newest state; `shown_tick` is its tick, `shown_seconds` its session time.
   std::uint64_t shown_tick = 0;
+  double shown_seconds = 0;
   double target_removed_percent = 0;    // of the target's volume
   std::array<double, LiveReading::kMostTargets> removed_of_percent{};  // of each of several targets (asked_targets())
   double over_leeway_mm3 = 0;           // cut outside the target, within the leeway shell

@@ -36,6 +36,9 @@ SessionFollower::SessionFollower(std::shared_ptr<const Reference> reference, con
   seen_revision_.assign(static_cast<std::size_t>(n.x) * static_cast<std::size_t>(n.y) * static_cast<std::size_t>(n.z), 0);
   second_.first_tick = start.last().tick + 1;
   second_.inputs.reserve(1100);
+  // A session that resumes is not behind by all that it has.
+  view_.tick = start.last().tick;
+  view_.elapsed_us = start.last().elapsed_us;
   if (recorder_ && scores_ == Scores::for_the_record) scorer_ = std::make_unique<SecondScorer>(reference_, start.volume().specimen_ptr(), *recorder_);
 }
 
