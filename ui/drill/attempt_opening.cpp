@@ -6,6 +6,7 @@
 
 #include "ui/session/background_task.h"
 #include "ui/session/drawn_tooth.h"
+#include "ui/session/replay.h"
 
 namespace cusp::ui {
 namespace {
@@ -47,6 +48,19 @@ std::optional<double> pulp_under(const Specimen& specimen, const TargetLook& loo
     }
   }
   return highest_mm ? std::optional(shape.top_mm() - *highest_mm) : std::nullopt;
+}
+
+/// The tooth that an interrupted attempt began with, if it is not `grown`: another program may grow another one of the same exercise,
+/// and the session goes on with its own. nullptr: it is the same.
+Outcome<std::shared_ptr<const Specimen>> other_tooth(const SessionPlan& plan, const Specimen& grown) {
+  auto store = Store::open(plan.database);
+  if (!store) return session_fail(SessionError::storage, store.error());
+  const auto session = (*store)->sessions.find(plan.resumes);
+  if (!session) return session_fail(SessionError::storage, session.error());
+  if (session->header.specimen_hash == grown.hash()) return std::shared_ptr<const Specimen>();
+  auto opened = open_session(**store, plan.resumes);
+  if (!opened) return std::unexpected(std::move(opened.error()));
+  return opened->scene->specimen;
 }
 
 }  // namespace
@@ -100,6 +114,12 @@ Outcome<std::shared_ptr<const ReadyTooth>> AttemptOpening::tooth(Order& order) {
     if (!drawn) return std::unexpected(drawn.error());
     plan.scenario = std::move(*drawn);
   }
+  auto grown = ready(plan.scenario);
+  if (!grown || plan.resumes.is_nil() || plan.database.empty()) return grown;
+  auto own = other_tooth(plan, *(*grown)->specimen);
+  if (!own) return std::unexpected(std::move(own.error()));
+  if (*own == nullptr) return grown;
+  plan.specimen = std::move(*own);
   return ready(plan.scenario);
 }
 
