@@ -12,6 +12,7 @@
 #include "engine/mirror/fragment_finder.h"
 #include "ui/modules.h"
 #include "ui/session/bur_depth.h"
+#include "ui/session/held_cut.h"
 #include "ui/session/session_follower.h"
 #include "ui/session/session_setup.h"
 
@@ -57,25 +58,27 @@ Result<void, PortFailure> open_port(const std::shared_ptr<HapticPort>& port, con
   return opened.get();
 }
 
-/// Pauses the loop before the first tick after a driver, or the whole process, stood still for longer than kSilent. That tick
-/// would add the whole time to the session's clock, and a device that does not answer may not use up a time limit.
-/// view() shows the pause as what the guard would have made of that tick.
-class StallPort final : public HapticPort {
+/// Watches the loop that reads it. Pauses it before the first tick after a driver, or the whole process, stood still for longer than
+/// kSilent: that tick would add the whole time to the session's clock, and a device that does not answer may not use up a time limit.
+/// view() shows the pause as what the guard would have made of that tick. `held`: of a hand; a scripted operator knows what it presses.
+class WatchingPort final : public HapticPort {
  public:
-  explicit StallPort(HapticPort& port) : port_(port) {}
-  /// `loop` reads this port. Before it starts.
-  void pause_after_stalls(HapticLoop& loop) noexcept { loop_ = &loop; }
+  WatchingPort(HapticPort& port, const std::optional<HeldCut>& held) : port_(port), held_(held) {}
+  /// Before the loop starts.
+  void watch(HapticLoop& loop) noexcept { loop_ = &loop; }
 
   Result<void, PortFailure> open() override { return port_.open(); }
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
-    const Sample sample = port_.wait(deadline);
+    Sample sample = port_.wait(deadline);
     const auto now = std::chrono::steady_clock::now();
-    const bool runs = loop_->hand_over().phase.load(std::memory_order_acquire) == LoopPhase::running;
+    const LoopPhase phase = loop_->hand_over().phase.load(std::memory_order_acquire);
     // As the guard has it, the first sample cannot be late.
     const bool stood = before_ && now - *before_ > kSilent;
     if (stood) loop_->pause();
-    if (runs) stalled_.store(stood, std::memory_order_release);
+    if (phase == LoopPhase::running) stalled_.store(stood, std::memory_order_release);
     before_ = now;
+    const bool stands = phase == LoopPhase::paused || phase == LoopPhase::held;
+    if (held_) held_->take(sample, stands ? HeldCut::Attempt::stands : HeldCut::Attempt::runs);
     return sample;
   }
   /// Any thread. Whether a stall has paused the loop since it ran last.
@@ -88,6 +91,7 @@ class StallPort final : public HapticPort {
  private:
   HapticPort& port_;
   HapticLoop* loop_ = nullptr;
+  std::optional<HeldCut> held_;
   std::optional<std::chrono::steady_clock::time_point> before_;  // end of the wait() before
   std::atomic<bool> stalled_{false};
 };
@@ -96,14 +100,17 @@ class StallPort final : public HapticPort {
 struct ExerciseSession::Inner {
   /// What the haptic thread uses. A driver that does not come back keeps it beyond the session.
   struct Driven {
-    Driven(std::shared_ptr<HapticPort> device_port, std::shared_ptr<const PedalSource> pedal, StepState start)
-        : port(std::move(device_port)), with_pedal(*port, std::move(pedal)), watched(with_pedal), loop(watched, std::move(start)) {
-      watched.pause_after_stalls(loop);
+    Driven(std::shared_ptr<HapticPort> device_port, const SessionPlan& plan, StepState start)
+        : port(std::move(device_port)),
+          with_pedal(*port, plan.pedal),
+          watching(with_pedal, plan.operator_name == kUserOperator ? std::optional(HeldCut()) : std::nullopt),
+          loop(watching, std::move(start)) {
+      watching.watch(loop);
     }
 
     std::shared_ptr<HapticPort> port;
     PedalledPort with_pedal;
-    StallPort watched;  // what the loop reads
+    WatchingPort watching;  // what the loop reads
     HapticLoop loop;
 
     void end() {
@@ -202,7 +209,7 @@ Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan pla
       in.setup.reference, *in.setup.mirror_start,
       SessionFollower::Settings{in.recorder.get(), in.setup.process, in.setup.time_limit_s,
                                 [&in] { in.loop().pause(); }});
-  in.driven = std::make_shared<Inner::Driven>(std::move(port), in.plan.pedal, std::move(*in.setup.loop_start));
+  in.driven = std::make_shared<Inner::Driven>(std::move(port), in.plan, std::move(*in.setup.loop_start));
   in.mirror = std::make_unique<Mirror>(std::move(*in.setup.mirror_start), in.loop().hand_over(),
                                         MirrorSettings{.show_every_us = kShowUs});
   in.setup.loop_start.reset();
@@ -290,7 +297,7 @@ LiveView ExerciseSession::view() const {
   view.phase = latest.phase;
   view.end = latest.end;
   view.fault = latest.fault;
-  if (view.phase == LoopPhase::paused && in.driven->watched.stalled()) {
+  if (view.phase == LoopPhase::paused && in.driven->watching.stalled()) {
     view.phase = LoopPhase::held;
     view.fault = Fault::late;
   }

@@ -85,8 +85,9 @@ class ExerciseSession {
   ExerciseSession& operator=(const ExerciseSession&) = delete;
 
   void pause();
-  /// Also after a fault, or when the device or the disk has come back: re-arms the guard, the force ramps in. Without
-  /// effect once LiveView::time_is_up: the session itself holds the loop at its time limit, and only finish() is left.
+  /// Also after a fault, or when the device or the disk has come back: re-arms the guard, the force ramps in, and a cut that is held
+  /// counts once it was released. Without effect once LiveView::time_is_up: the session itself holds the loop at its time limit, and
+  /// only finish() is left.
   void resume();
   /// Index into the scenario's instruments.
   void change_bur(std::size_t index);

@@ -26,13 +26,22 @@ def station(own, theme="light", language="en"):
         f.write(f"[device]\nkind=falcon\nname=FT000001\n[look]\ntheme={theme}\nlanguage={language}\n")
 
 
-def reached(program, what, look):
-    """As desk.until(), for a machine with other work: a mock that answers too late stops the attempt, and it is resumed."""
+def reached(program, what, look, press=lambda: None):
+    """As desk.until(), for a machine with other work: a mock that answers too late stops the attempt, and it is resumed. What was
+    down over the stop cuts only once it was released: `press` does so, and presses it anew."""
     def asked():
         if program.here("label", re.compile("^The device answered too late")):
-            press_if(program, "Resume")
+            desk.until("the attempt to go on", lambda: (press_if(program, "Resume"), program.here("push button", "Resume"))[1] is None)
+            press()
         return look()
     return desk.until(what, asked)
+
+
+def anew(hand, up, down):
+    """Releases what is down and presses it again. Both are seen by a tick."""
+    hand(*up)
+    time.sleep(0.1)
+    hand(*down)
 
 
 def press_if(program, name):
@@ -78,10 +87,13 @@ def start(program, hand):
 
 
 def with_the_pedal(program, hand):
+    def press():
+        anew(hand, ("pedal", "up"), ("pedal", "down"))
+
     hand("falcon", "sway", *DOWN)
     desk.check(speed(program) == 0, f"the bur turns before anybody asks for it: {speed(program)}")
-    reached(program, "the pedal to be found and to start the handpiece", lambda: (hand("pedal", "down"), speed(program))[1])
-    reached(program, "the pedal to cut", lambda: school.removed_mm3(program) > 0.05)
+    reached(program, "the pedal to be found and to start the handpiece", lambda: (hand("pedal", "down"), speed(program))[1], press)
+    reached(program, "the pedal to cut", lambda: school.removed_mm3(program) > 0.05, press)
     turning = speed(program)
     hand("pedal", "unplug")
     reached(program, "the handpiece to stop", lambda: speed(program) == 0)
@@ -89,7 +101,7 @@ def with_the_pedal(program, hand):
     hand("pedal", "plug")
     time.sleep(1.0)  # long enough for ten pictures of the panel: nothing may come of it
     desk.check(speed(program) == 0 and school.removed_mm3(program) == gone, "a pedal that was plugged in again drills by itself")
-    reached(program, "the pedal to drill again", lambda: (hand("pedal", "down"), school.removed_mm3(program) > gone)[1])
+    reached(program, "the pedal to drill again", lambda: (hand("pedal", "down"), school.removed_mm3(program) > gone)[1], press)
     hand("pedal", "up")
     reached(program, "the handpiece to stop", lambda: speed(program) == 0)
     return f"{turning} rpm by foot, none once its plug was out, and again by foot"
@@ -117,10 +129,13 @@ def with_the_space_mouse(own, program, hand):
 
 
 def with_the_falcon(own, program, hand, picture=lambda name: None):
+    def press():
+        anew(hand, ("falcon", "buttons", 0), ("falcon", "buttons", 4))
+
     gone = school.removed_mm3(program)
     hand("falcon", "buttons", 4)
     hand("falcon", "sway", *DOWN)
-    reached(program, "the Falcon's button to drill", lambda: school.removed_mm3(program) > gone + 0.02)
+    reached(program, "the Falcon's button to drill", lambda: school.removed_mm3(program) > gone + 0.02, press)
     hand("falcon", "unplug")
     program.find("label", "The device does not answer")
     gone = school.removed_mm3(program)
@@ -136,7 +151,7 @@ def with_the_falcon(own, program, hand, picture=lambda name: None):
     desk.until("it to resume", lambda: (press_if(program, "Resume"), program.here("push button", "Pause"))[1])
     hand("falcon", "buttons", 4)
     hand("falcon", "sway", *DOWN)
-    reached(program, "it to drill again", lambda: school.removed_mm3(program) > gone)
+    reached(program, "it to drill again", lambda: school.removed_mm3(program) > gone, press)
     hand("falcon", "buttons", 0)
     return "the attempt stood still while its plug was out, and went on where it was"
 

@@ -25,6 +25,49 @@ class TurningPort final : public DrillingPort {
   int rotation_axes_;
 };
 
+/// Its button is down until the test releases it.
+class ButtonPort final : public DrillingPort {
+ public:
+  ButtonPort() : DrillingPort(1u << 30, Pace::to_deadline) {}
+  Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
+    Sample sample = DrillingPort::wait(deadline);
+    if (!pressed) sample.buttons = 0;
+    return sample;
+  }
+  std::atomic<bool> pressed{true};
+};
+
+TEST(DeviceInSession, AButtonThatIsHeldOverAPauseCutsOnlyOnceItWasReleased) {
+  const Workplace work;
+  SessionPlan plan = work.plan();
+  plan.operator_name = kUserOperator;
+  ButtonPort port;
+  auto started = ExerciseSession::start(plan, port);
+  ASSERT_TRUE(started);
+  ExerciseSession& session = **started;
+  const auto removed = [&] { return session.view().removed_mm3[index_of(Tissue::plastic)]; };
+  const auto run_on = [&] {
+    const std::uint64_t until = session.view().output.tick + 300;
+    return eventually([&] { return session.view().shown_tick > until; });
+  };
+  ASSERT_TRUE(eventually([&] { return removed() > 0; }));
+  session.pause();
+  ASSERT_TRUE(eventually([&] { return session.view().phase == LoopPhase::paused; }));
+  session.resume();
+  ASSERT_TRUE(run_on());  // what was cut before the pause is shown
+  const double before = removed();
+  ASSERT_TRUE(run_on());
+  EXPECT_EQ(removed(), before) << "its button is down since before the pause";
+  port.pressed = false;
+  ASSERT_TRUE(run_on());
+  port.pressed = true;
+  EXPECT_TRUE(eventually([&] { return removed() > before; }));
+  const auto result = session.finish();
+  ASSERT_TRUE(result);
+  started->reset();
+  EXPECT_TRUE(prove_session(*work.store(), result->session)->holds());
+}
+
 TEST(DeviceInSession, AfterItsDriverStoodStillTheSessionIsHeldAndItsClockLeavesThatTimeOut) {
   const Workplace work;
   const auto stuck = std::make_shared<std::atomic<bool>>(false);
