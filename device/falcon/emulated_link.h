@@ -26,6 +26,7 @@ struct EmulatedLinkSettings {
   LinkTime jitter{0};                                  // random addition, at most this
   std::uint64_t seed = 1;
   std::string name = "emulated";
+  bool by_port = false;  // has no serial number
 };
 
 /// Grip and buttons, written by another thread.
@@ -44,6 +45,7 @@ class EmulatedLink final : public FalconLink {
   void start(const LinkAsk& ask) noexcept override;
   LinkEvent wait(LinkTime until) noexcept override;
   std::string name() const override { return opened_once_ ? settings_.name : std::string(); }
+  bool known_by_port() const noexcept override { return opened_once_ && settings_.by_port; }
 
   Emulator& falcon() noexcept { return falcon_; }
 

@@ -129,6 +129,8 @@ Result<void, PortFailure> FalconPort::open() {
   }
   due_ = link_->now();
   seen_replies_ = session_.state().replies;
+  by_port_ = link_->known_by_port();
+  publish();
   return {};
 }
 
@@ -282,6 +284,7 @@ void FalconPort::publish() noexcept {
   view.unsolved = unsolved_;
   view.unreached = unreached_;
   view.clutched = workspace_.held();
+  view.by_port = by_port_;
   view_.write(view);
 }
 

@@ -59,6 +59,7 @@ struct FalconView {
   std::uint64_t unsolved = 0;            // readings without a solution of the kinematics
   std::uint64_t unreached = 0;           // positions too far from the last one for a hand: rejected
   bool clutched = false;
+  bool by_port = false;                  // FalconLink::known_by_port()
 };
 
 class FalconPort final : public HapticPort {
@@ -120,6 +121,7 @@ class FalconPort final : public HapticPort {
   bool pressed_ = false;  // a button changed last_.bur since the last write()
   Sample last_;
   bool open_ = false;
+  bool by_port_ = false;  // FalconLink::known_by_port(), since it was opened
   std::atomic<bool> cancelled_{false};
   std::atomic<double> force_gain_;
   std::atomic<std::uint8_t> leds_{falcon::control::kBlue};

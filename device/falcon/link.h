@@ -66,6 +66,9 @@ class FalconLink {
   virtual LinkEvent wait(LinkTime until) noexcept = 0;
   /// The device's serial number, else its USB port ("1-4.2"). Empty before the first open.
   virtual std::string name() const = 0;
+  /// Whether its USB port alone identifies the device that was opened first: it has no serial number of its own, and another
+  /// Falcon at that port would be taken for it. False before the first open.
+  virtual bool known_by_port() const noexcept { return false; }
 };
 
 }  // namespace cusp::device::falcon

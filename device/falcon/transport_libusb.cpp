@@ -24,6 +24,8 @@ class UsbLink final : public FalconLink {
   LinkTime now() const noexcept override { return Clock::now().time_since_epoch(); }
   std::string name() const override { return opener_.joinable() || name_.empty() ? wanted_ : name_; }
 
+  bool known_by_port() const noexcept override { return !opener_.joinable() && known_ && known_->by_port; }
+
   void start(const LinkAsk& ask) noexcept override {
     give_back();
     switch (ask.kind) {

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "ui/device/homing_view.h"
 #include "ui/widgets/format.h"
@@ -130,7 +131,11 @@ bool StopCard::show_falcon(const FalconView* view) {
   const bool wanted = view != nullptr && stop_ == Stop::device_gone;
   if (wanted) homing_->show_falcon(*view);
   const QString homing_text = wanted ? homing_->text() : QString();
-  if (homing_text == homing_text_) return false;
+  const QString which = wanted && view->by_port
+                            ? tr("Plug in the same Falcon: it has no serial number of its own, and another one at its USB port would be taken for it.")
+                            : QString();
+  if (homing_text == homing_text_ && which == which_text_) return false;
+  if (std::exchange(which_text_, which) != which && !which.isEmpty()) announce(this, which);
   homing_text_ = homing_text;
   homing_->setVisible(wanted);
   return true;
@@ -139,12 +144,13 @@ bool StopCard::show_falcon(const FalconView* view) {
 void StopCard::fit(QSize most) {
   const bool homing = !homing_text_.isEmpty();
   const auto high = [&] { return std::max(heightForWidth(most.width()), minimumSizeHint().height()); };
-  more_->setText(more_text_);
+  const QString more = which_text_.isEmpty() ? more_text_ : more_text_ + u' ' + which_text_;
+  more_->setText(more);
   homing_->setVisible(homing);
   int height = high();
   if (homing && height > most.height()) {
     homing_->hide();
-    more_->setText(more_text_ + u'\n' + homing_text_);
+    more_->setText(more + u'\n' + homing_text_);
     height = high();
   }
   resize(most.width(), height);

@@ -30,7 +30,7 @@ class StopCard : public QFrame {
   /// `record`: of describe_refused_record(); `fault`: of Stop::fault. Read out when another stop or another cause
   /// stands there. True if it did.
   bool show_stop(Stop stop, const Message& record, Fault fault);
-  /// While a Falcon is gone, its state, with the picture of homing. True if the card grew or shrank.
+  /// While a Falcon is gone, its state, with the picture of homing, and which one is to be plugged in. True if the card grew or shrank.
   bool show_falcon(const FalconView* view);
   /// As wide as `most` and as high as it needs. If that is too high, the text of homing takes the place of its picture.
   void fit(QSize most);
@@ -48,6 +48,7 @@ class StopCard : public QFrame {
   HomingView* homing_;
   QString homing_text_;  // by the homing, as it was laid out
   QString more_text_;    // without it
+  QString which_text_;   // of a gone Falcon: what identifies it, if that is little
   QString cause_;  // of Stop::record and Stop::record_at_end, as it is shown
   Stop stop_ = Stop::none;
   Fault fault_ = Fault::none;  // of Stop::fault

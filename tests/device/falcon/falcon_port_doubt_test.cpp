@@ -79,6 +79,18 @@ TEST(FalconPort, unplugged_while_drilling_it_is_gone_and_comes_back) {
   EXPECT_LT(glm::length(bench.falcon.force_n(bench.link->now())), 0.1);
 }
 
+TEST(FalconPort, shows_that_it_cannot_be_distinguished_from_another_at_its_usb_port) {
+  for (const bool by_port : {false, true}) {
+    Bench bench({.firmware_running = true}, {}, {.by_port = by_port});
+    ASSERT_TRUE(bench.port->open());
+    EXPECT_EQ(bench.port->view().by_port, by_port);
+    bench.link->set_presence(Presence::absent);
+    for (int i = 0; i < 300; ++i) bench.tick();
+    EXPECT_NE(bench.port->view().session.phase, Phase::ready);
+    EXPECT_EQ(bench.port->view().by_port, by_port) << "also while it is away";
+  }
+}
+
 TEST(FalconPort, silence_is_gone_with_no_force) {
   Bench bench;
   ASSERT_TRUE(bench.port->open());

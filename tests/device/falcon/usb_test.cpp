@@ -212,6 +212,7 @@ void expect_no_other_is_taken(const std::string& serial, const std::string& of_o
   };
   ASSERT_EQ(open(), falcon::LinkEvent::Kind::opened);
   ASSERT_EQ((*link)->name(), serial.empty() ? "1-2" : serial);
+  EXPECT_EQ((*link)->known_by_port(), serial.empty() || serial == of_other);
   (*link)->start({.kind = falcon::LinkAsk::Kind::close});
   first->unplug();
   falcon::LinkEvent::Kind without = open();
