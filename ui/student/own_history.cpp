@@ -17,9 +17,9 @@
 namespace cusp::ui {
 namespace {
 
-/// `rows`: newest first.
+/// Of the student's own hand. `rows`: newest first.
 std::optional<HistoryRow> newest_result(const std::vector<HistoryRow>& rows) {
-  const auto found = std::ranges::find_if(rows, [](const HistoryRow& row) { return row.score.has_value(); });
+  const auto found = std::ranges::find_if(rows, [](const HistoryRow& row) { return row.score && row.operator_name == kUserOperator; });
   return found == rows.end() ? std::nullopt : std::optional(*found);
 }
 
@@ -173,7 +173,8 @@ bool OwnHistory::read_again() {
   return true;
 }
 
-/// A chart shows one exercise and one device class: those of the newest row with points. Without one there is none.
+/// A chart shows one exercise and one device class: those of the newest row with points. Without one there is none. What scripted
+/// operators drilled in the student's name stands in the table alone, as on the start page.
 void OwnHistory::draw(const std::optional<HistoryRow>& newest) {
   for (Chart* chart : {by_attempt_, by_time_}) chart->parentWidget()->setVisible(newest.has_value());
   if (!newest) {
@@ -185,6 +186,7 @@ void OwnHistory::draw(const std::optional<HistoryRow>& newest) {
   HistoryFilter same = filter();
   same.scenario = newest->scenario;
   same.device_class = newest->device_class;
+  same.scripted = false;
   const auto drawn = store_.history.list(student_, same);
   if (!drawn) return show_failure(describe(drawn.error()));
   by_attempt_->set_data(score_by_attempt(*drawn));

@@ -58,6 +58,24 @@ TEST_F(OwnResults, without_a_result_draw_no_empty_charts_and_say_why) {
   EXPECT_EQ(shows(page), std::pair(2, false));
 }
 
+TEST_F(OwnResults, draw_what_the_student_drilled_and_no_scripted_operator) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.attempt(lena, "channel-1", 60, 300);
+  records.scripted_attempt(lena, "channel-1", 100, 100);
+  OwnHistory page(records.store(), lena.actor());
+  page.show();
+  EXPECT_EQ(page.table()->model()->rowCount(), 2);
+  int drawn = 0;
+  for (const Chart* chart : page.findChildren<Chart*>()) {
+    if (!chart->isVisible()) continue;
+    ++drawn;
+    ASSERT_EQ(chart->data().series.size(), 1);
+    ASSERT_EQ(chart->data().series[0].points.size(), 1);
+    EXPECT_EQ(chart->data().series[0].points[0].y, 60);
+  }
+  EXPECT_EQ(drawn, 2);
+}
+
 TEST_F(OwnResults, keep_exercise_and_row_after_the_first_attempt_at_a_new_exercise) {
   const Account lena = records.student("1", "Lena Brandt");
   const SessionId older = records.attempt(lena, "paper-block", 60, 300);
