@@ -279,6 +279,8 @@ void ExerciseSession::abandon() {
   if (in.over) return;
   in.over = true;
   if (in.recorder) {
+    // What could not be written may be written by now: it is tried once more.
+    if (in.recorder->state() == RecordingState::failed) in.recorder->retry();
     in.recorder->drain();
     in.store = in.recorder->take_store();
     in.recorder.reset();

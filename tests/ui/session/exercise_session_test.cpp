@@ -9,6 +9,8 @@
 
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
+#include "storage/sqlite/database.h"
+#include "tests/refused_rows.h"
 #include "tests/ui/session/gate.h"
 #include "tests/ui/session/small_exercise.h"
 #include "tests/ui/session/sticking_port.h"
@@ -277,6 +279,29 @@ TEST(ExerciseSession, LeftItIsInterruptedAndCanBeGradedOnceAsItStands) {
   const auto proof = prove_session(*store, session);
   EXPECT_TRUE(proof->holds());
   EXPECT_TRUE(proof->has_grade && proof->grade_equal);
+}
+
+TEST(ExerciseSession, LeftItKeepsWhatItCouldNotWriteBeforeIfItCanByNow) {
+  const Workplace work;
+  DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
+  auto started = ExerciseSession::start(work.plan(), port);
+  ASSERT_TRUE(started);
+  const SessionId session = (*started)->session();
+  auto database = storage::Database::open(work.database());
+  ASSERT_TRUE(database);
+  // From the third second on.
+  ASSERT_TRUE(refuse_rows(*database, "trace_chunks", "row <= 1"));
+  ASSERT_TRUE(eventually([&] { return (*started)->view().recording == RecordingState::failed && (*started)->view().phase == LoopPhase::paused; }));
+  ASSERT_TRUE(take_rows(*database, "trace_chunks"));
+  (*started)->abandon();
+  const double seconds = (*started)->view().seconds;
+  started->reset();
+  const auto store = work.store();
+  const auto opened = open_session(*store, session);
+  ASSERT_TRUE(opened);
+  EXPECT_EQ(opened->state, SessionState::interrupted);
+  EXPECT_DOUBLE_EQ(static_cast<double>(opened->elapsed_us) * 1e-6, seconds) << "every second is kept";
+  EXPECT_TRUE(prove_session(*store, session)->holds());
 }
 
 TEST(ExerciseSession, LeftAndGradedAtTwoDesksAtOnceItKeepsOneGrade) {
