@@ -46,7 +46,8 @@ struct FreeHeader {
   void operator()(nifti_1_header* header) const { std::free(header); }
 };
 
-/// Whether every axis of the volume has a length in the header. The library replaces those that are none by 1.
+/// Whether every axis of the volume has a length in the header. The library replaces those that are none by 1, and under a
+/// quaternion those below 0 too.
 bool has_lengths(const std::filesystem::path& file, const nifti_image& n) {
   if (n.sform_code > 0) return true;  // its lengths are the affine's
   int swapped = 0;
@@ -55,7 +56,8 @@ bool has_lengths(const std::filesystem::path& file, const nifti_image& n) {
   const int sizes[3] = {n.nx, n.ny, n.nz};
   for (int i = 0; i < 3; ++i) {
     const float length = header->pixdim[i + 1];
-    if (sizes[i] > 1 && (!std::isfinite(length) || length == 0.0f)) return false;
+    const bool none = !std::isfinite(length) || length == 0.0f || (n.qform_code > 0 && length < 0.0f);
+    if (sizes[i] > 1 && none) return false;
   }
   return true;
 }

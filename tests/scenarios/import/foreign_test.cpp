@@ -72,6 +72,26 @@ TEST_F(Nifti, ALengthThatIsNoneMakesTheSpacingUnknownAlongAllAxes) {
   EXPECT_TRUE(read(nifti_file(wish))->spacing_known);
 }
 
+TEST_F(Nifti, UnderAQuaternionALengthBelowZeroIsNone) {
+  const auto by_quaternion = [&] {
+    std::string bytes = nifti_file(wish);
+    bytes.replace(252, 2, std::string("\1\0", 2));  // qform_code: the quaternion of zeros turns nothing
+    return read(bytes);
+  };
+  const auto sound = by_quaternion();
+  ASSERT_TRUE(sound);
+  EXPECT_TRUE(sound->spacing_known && sound->sides_known);
+  EXPECT_LT(glm::length(sound->layout.spacing_mm - Vec3(0.1, 0.2, 0.5)), 1e-6);
+  for (int axis = 0; axis < 3; ++axis) {
+    wish.spacing_mm = {0.1, 0.2, 0.5};
+    wish.spacing_mm[axis] *= -1.0;
+    const auto image = by_quaternion();
+    ASSERT_TRUE(image);
+    EXPECT_FALSE(image->spacing_known || image->sides_known) << axis << ": the library takes 1 for it";
+    EXPECT_EQ(image->layout.spacing_mm, Vec3(1.0)) << axis;
+  }
+}
+
 TEST_F(Nifti, ValuesAreScaled) {
   wish.slope = 2.0f;
   wish.intercept = -1000.0f;
