@@ -194,6 +194,7 @@ class Reader {
     out_.spacing_known = has_lengths && unit_mm > 0.0;
     if (!has_lengths) *spacing = {1.0, 1.0, 1.0};
     if (!out_.spacing_known) unit_mm = 1.0;
+    out_.sides_known = !turn->empty();  // a header that was typed beside raw data has none
     if (turn->empty()) *turn = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     std::array<Vec3, 3> step{};
     const Vec3 ras(-1.0, -1.0, 1.0);

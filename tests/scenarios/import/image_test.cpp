@@ -189,6 +189,19 @@ TEST(MetaImage, LocalDataAreReadInLeftPosteriorSuperior) {
   EXPECT_EQ(at(*image, 1, 1, 3), 310.0f);
 }
 
+TEST(MetaImage, WithoutADirectionOfItsAxesItsSidesAreNotKnown) {
+  const auto with = [](const std::string& line) { return mha(kMha + line + "ElementDataFile = LOCAL\n" + ramp()); };
+  const auto plain = with("");
+  ASSERT_TRUE(plain);
+  EXPECT_FALSE(plain->sides_known);
+  for (const char* key : {"TransformMatrix", "Rotation", "Orientation"}) {
+    const auto image = with(std::string(key) + " = 1 0 0 0 1 0 0 0 1\n");
+    ASSERT_TRUE(image) << key;
+    EXPECT_TRUE(image->sides_known) << key;
+    EXPECT_EQ(image->value, plain->value) << key << ": the same place, stated";
+  }
+}
+
 TEST(MetaImage, LengthsAreInTheUnitThatTheFileNames) {
   const auto with = [](const std::string& lengths) {
     std::string text = kMha;
