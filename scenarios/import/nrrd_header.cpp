@@ -242,9 +242,9 @@ class Parser {
     if (!units && image_ && !field("space directions")) units = field("units");
     const auto words = units ? tokens(*units) : std::vector<std::string_view>();
     for (std::size_t i = skipped; i < words.size(); ++i) {
-      if (words[i] == "\"mm\"") continue;
-      if (!image_) return refuse(ImportError::bad_spacing, "space units", *units);
-      out_.unit_mm = words[i] == "\"um\"" ? 1e-3 : words[i] == "\"cm\"" ? 10.0 : words[i] == "\"m\"" ? 1000.0 : 0.0;
+      const double mm = words[i] == "\"mm\"" ? 1.0 : words[i] == "\"um\"" ? 1e-3 : words[i] == "\"cm\"" ? 10.0 : words[i] == "\"m\"" ? 1000.0 : 0.0;
+      if (!image_ && mm != 1.0) return refuse(ImportError::bad_spacing, "space units", *units);
+      out_.unit_mm = i == skipped || mm == out_.unit_mm ? mm : 0.0;  // of axes that differ none is known
     }
     const auto signs = space_signs();
     if (!signs) return std::unexpected(signs.error());

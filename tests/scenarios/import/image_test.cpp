@@ -92,6 +92,12 @@ TEST(NrrdImage, SpacingsAreInTheUnitsOfTheirAxes) {
   EXPECT_LT(glm::length(um->layout.spacing_mm - Vec3(0.05)), 1e-12);
   EXPECT_EQ(with("")->layout.spacing_mm, Vec3(50.0));
   EXPECT_FALSE(with("units: \"\" \"ell\" \"ell\" \"ell\"\n")->spacing_known);
+  for (const char* mixed : {"\"um\" \"mm\" \"mm\"", "\"mm\" \"mm\" \"um\"", "\"um\" \"ell\" \"um\""}) {
+    const auto image = with("units: \"\" " + std::string(mixed) + "\n");
+    ASSERT_TRUE(image) << mixed;
+    EXPECT_FALSE(image->spacing_known) << mixed;
+    EXPECT_EQ(image->layout.spacing_mm, Vec3(50.0)) << mixed << ": as the file has them";
+  }
 }
 
 TEST(NrrdImage, WithoutASpaceItsSidesAreNotKnown) {
