@@ -36,6 +36,20 @@ Result<void, ImportFailure> check(const ImageTissues& what, const std::string& n
   return {};
 }
 
+/// A label or colour that was chosen and that no voxel has. 0 is none: it stands for nothing.
+std::optional<std::uint32_t> absent_label(const Image& image, const ImageTissues& what) {
+  std::set<std::uint32_t> absent;
+  for (const auto& [value, tissue] : what.labels) absent.insert(value);
+  float last = 0.0f;
+  for (const float v : image.value) {
+    if (absent.empty()) break;
+    if (v == last) continue;
+    last = v;
+    if (v > 0.0f && v < 4294967296.0f) absent.erase(static_cast<std::uint32_t>(v));
+  }
+  return absent.empty() ? std::nullopt : std::optional(*absent.begin());
+}
+
 /// No measured value lies between the new first threshold and a lower one that it replaces.
 std::vector<std::pair<double, Tissue>> above_unmeasured(std::vector<std::pair<double, Tissue>> thresholds, double measured_from) {
   while (thresholds.size() > 1 && thresholds[1].first <= measured_from) thresholds.erase(thresholds.begin());
@@ -230,6 +244,7 @@ Result<VoxelVolume, ImportFailure> volume_of_image(const Image& image, const Ima
                                                    const VolumeLimits& limits, std::vector<ImportRemark>& remarks,
                                                    const ImportProgress& progress) {
   if (auto r = check(what, name); !r) return std::unexpected(r.error());
+  if (const auto absent = absent_label(image, what)) return fail(ImportError::mesh_not_found, std::to_string(*absent));
   try {
     ImageTissues used = what;
     used.thresholds = above_unmeasured(std::move(used.thresholds), image.measured_from);

@@ -33,7 +33,8 @@ Tissue tissue_at(double value, const std::vector<std::pair<double, Tissue>>& thr
 
 /// Labels: the nearest voxel of the file; the surface is known to half a voxel of the file. Grey values: trilinear, and
 /// the surface is where they cross a threshold, with exact distances to it. Resampled to cubes, with a remark.
-/// Seconds; limits are held before memory is taken. Codes: bad_option, bad_tissue, too_large, nothing_solid.
+/// Seconds; limits are held before memory is taken. Codes: bad_option, bad_tissue, too_large, nothing_solid; mesh_not_found, of a label
+/// that no voxel has.
 [[nodiscard]] Result<VoxelVolume, ImportFailure> volume_of_image(const Image& image, const ImageTissues& what,
                                                                  const std::string& name, const VolumeLimits& limits,
                                                                  std::vector<ImportRemark>& remarks,

@@ -27,7 +27,7 @@ enum class ImportError : std::uint8_t {
   too_large,        // more voxels than the limits allow; found before memory is taken
   nothing_solid,    // no voxel is occupied
   no_mesh,          // the file holds no triangle, or none was chosen
-  mesh_not_found,   // where: the name that was asked for
+  mesh_not_found,   // where: the name or the label that was asked for
   mesh_empty,       // encloses no volume; where: its name
   mesh_open,        // an edge with one triangle only; where: name and place in the file's units
   mesh_not_oriented,  // neighbours wound against each other; where: name and place

@@ -97,6 +97,24 @@ TEST(ImageVolume, LabelsKeepTheirPlaceAndSizeWhenResampled) {
   EXPECT_EQ(bone, 62u);
 }
 
+TEST(ImageVolume, ALabelThatNoVoxelHasIsRefusedByItsNumber) {
+  Image image;
+  image.layout = *lay_out({4, 4, 4}, {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}, Vec3(0.0), {});
+  image.kind = ImageKind::labels;
+  image.value.assign(64, 2.0f);
+  image.value[5] = 0.0f;
+  image.value[9] = 4.0f;
+  const auto refused = [&](std::uint32_t label) {
+    ImageTissues what;
+    what.labels = {{2, Tissue::dentine}, {label, Tissue::pulp}};
+    const auto r = made(image, what);
+    return r ? std::string("read") : std::string(key_of(r.error().code)) + " " + r.error().where;
+  };
+  EXPECT_EQ(refused(4), "read");
+  EXPECT_EQ(refused(3), "mesh_not_found 3") << "the tooth would have no pulp";
+  EXPECT_EQ(refused(0), "mesh_not_found 0") << "0 stands for nothing";
+}
+
 TEST(ImageVolume, WhatIsUpTurnsTheVolumeWithoutMirroringIt) {
   Image image;
   image.layout = *lay_out({2, 3, 4}, {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}, Vec3(0.0), {});
