@@ -130,6 +130,12 @@ FileKind file_kind(const std::filesystem::path& path) {
   }
 }
 
+bool are_slices_of_a_folder(const std::vector<std::filesystem::path>& files) {
+  return std::ranges::all_of(files, [&](const std::filesystem::path& file) {
+    return format_of(file) == Format::dicom && file.parent_path() == files.front().parent_path();
+  });
+}
+
 Result<FileLook, ImportFailure> look_at_files(const std::vector<std::filesystem::path>& files, const VolumeLimits& limits,
                                               const ImportProgress& progress) {
   FileLook out;

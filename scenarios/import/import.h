@@ -104,6 +104,8 @@ struct FileLook {
 enum class FileKind : std::uint8_t { mesh, image, unknown };
 /// By its ending, else by its first bytes; a folder is a CT series.
 FileKind file_kind(const std::filesystem::path& path);
+/// Whether they are DICOM files of one folder: the series of the first is read from there.
+bool are_slices_of_a_folder(const std::vector<std::filesystem::path>& files);
 /// Meshes in the order in which the files name them; parts of one name are one mesh. Of several files a mesh is called as
 /// its file without the ending, and, where it is not alone in it, ": " and its own name. Names are UTF-8 (utf8_name).
 [[nodiscard]] Result<std::vector<MeshInfo>, ImportFailure> list_meshes(const std::filesystem::path& path,

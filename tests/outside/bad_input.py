@@ -196,22 +196,6 @@ def databases(desk):
     check(not os.path.exists(desk.path("v.nrrd")), "a failed import left a volume")
 
 
-def options_in_vain(desk):
-    """An option that changes nothing of what is imported is named, not ignored."""
-    own, mesh, made = desk.path("made.nrrd"), desk.path("cube.obj"), desk.path("vain.nrrd")
-    check(desk.run("specimen", "block", "--voxel-mm", "0.5", "-o", own)[0] == 0, "a block is made")
-    for file, *option in ((own, "--up", "x"), (own, "--unit-mm", "1"), (own, "--scale", "2"), (own, "--voxel-mm", "0.2"), (own, "--tissue", "2=enamel"),
-                          (own, "--from", "dentine=3"), (own, "--hollows", "pulp"), (own, "--largest-piece"), (own, "--mend-mm", "1"),
-                          (own, "--precedence", "given"), (mesh, "--largest-piece"), (mesh, "--hollows", "pulp"), (mesh, "--from", "dentine=3"),
-                          (desk.path("ct.mha"), "--mend-mm", "1"), (desk.path("ct.mha"), "--precedence", "given")):
-        status, out, err = desk.run("import", file, *option, "-o", made)
-        check(status == 2 and out == "" and option[0] in err, f"{file} {option}: exit {status}: {out}{err}")
-        one_sentence(err, str(option))
-    check(not os.path.exists(made), "a refused import left a volume")
-    status, _, err = desk.run("import", own, "--turn", "z", "-o", made)
-    check(status == 0 and os.path.exists(made), f"a specimen is turned: {err}")
-
-
 def usage(desk):
     for arguments in (("play",), ("play", "channel-1"), ("replay", "--verify"), ("history", "x.db"), ("nonsense",),
                       ("specimen", "banana", "-o", "x"), ("replay", "x.db", "no-id"), ("audit",), ("audit", "channel-1", "--apply"),
@@ -232,7 +216,6 @@ def usage(desk):
         check(status == 2, f"{arguments}: exit {status}")
         one_sentence(err, " ".join(arguments))
     check("nonsense" in desk.run("nonsense")[2], "an unknown verb is not named")
-    options_in_vain(desk)
     replay, play = ("replay", "x.db", "019a9f3c-6a00-7c41-9b1e-000000000000"), ("play", "channel-1", "--out", desk.path("o"))
     for verb, option, value in ((replay, "--at", "nan"), (replay, "--at", "-1"), (replay, "--at", "inf"), (play, "--seconds", "nan"), (play, "--seconds", "0"),
                                 (play, "--seed", "-1"), (play, "--seed", "99999999999999999999"), (play, "--seed", "1.5"),

@@ -9,6 +9,7 @@
 #include "scenarios/format/validate.h"
 #include "scenarios/import/binvox.h"
 #include "scenarios/import/nrrd.h"
+#include "scenarios/import/nrrd_image.h"
 #include "scenarios/import/quarter_turn.h"
 #include "scenarios/import/worker.h"
 #include "ui/cli/import_options.h"
@@ -176,8 +177,7 @@ void print_result(const Done& done, const SolidMeasure& measure) {
 
 int finish(const ImportOptions& o, const Done& done) {
   const VoxelVolume& volume = done.volume;
-  const bool binvox = std::filesystem::path(o.out).extension() == ".binvox";
-  if (auto written = binvox ? write_binvox(binvox_of(volume), o.out) : write_nrrd(volume, o.out); !written)
+  if (auto written = is_binvox(o) ? write_binvox(binvox_of(volume), o.out) : write_nrrd(volume, o.out); !written)
     return failed(describe(written.error()));
   const SolidMeasure measure = specimen_solid(*Specimen::build(volume, Reading::banded));
   if (!o.json.write(json_of(o, done, measure))) return kFailed;
@@ -202,11 +202,16 @@ Result<VoxelVolume, ImportFailure> volume_from_image(const ImportOptions& o, Ima
 }
 
 int import_verb(const ImportOptions& o) {
+  const std::vector<std::filesystem::path> files = paths_of(o);
   if (const auto no = refuse_outputs({o.out, o.json.file})) return failed(*no);
-  if (const auto no = refuse_outputs({o.json.file}, {}, {o.files.begin(), o.files.end()})) return failed(*no);
+  if (const auto no = refuse_outputs({o.json.file}, {}, files)) return failed(*no);
+  if (const auto vain = without_effect(o)) return wrong_usage(*vain);
   if (o.list) return list_verb(o);
   if (o.out.empty()) return wrong_usage(CliText::tr("-o VOLUME is missing: the file to write."));
-  if (const auto vain = without_effect(o)) return wrong_usage(*vain);
+  for (const auto wrong : {unread_file, misleading_name})
+    if (const auto what = wrong(o)) return wrong_usage(*what);
+  // A specimen's volume may be turned in its place: nothing of it is lost.
+  if (const auto no = refuse_outputs({o.out}, {}, files); no && !nrrd_is_specimen(files.front())) return failed(*no);
   const auto up = up_axis(o.up);
   if (!up) return wrong_usage(CliText::tr("%1 is no axis: x, y, z, -x, -y or -z.").arg(QString::fromStdString(o.up)));
   const auto turns = turns_of(o);

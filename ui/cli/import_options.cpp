@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 
 #include "scenarios/import/header_text.h"
 #include "scenarios/import/nrrd_image.h"
@@ -36,6 +38,11 @@ QString not_a_pair(const std::string& text) {
 constexpr std::array<std::string_view, 2> kOfMeshes = {"--mend-mm", "--precedence"};
 constexpr std::array<std::string_view, 3> kOfVolumes = {"--from", "--hollows", "--largest-piece"};
 constexpr std::array<std::string_view, 5> kOfBoth = {"--tissue", "--unit-mm", "--scale", "--voxel-mm", "--up"};
+/// --list shows lengths in the unit that was typed.
+constexpr std::array<std::string_view, 10> kOfMaking = {"--output", "--tissue",  "--from", "--hollows", "--largest-piece",
+                                                        "--voxel-mm", "--mend-mm", "--up",   "--turn",    "--precedence"};
+
+std::string ending_of(const std::string& file) { return lower(std::filesystem::path(file).extension().string()); }
 
 }  // namespace
 
@@ -114,6 +121,8 @@ std::optional<QString> without_effect(const ImportOptions& o) {
   for (const std::string& option : o.typed) {
     const auto among = [&option](const auto& names) { return std::ranges::find(names, option) != names.end(); };
     const QString name = QString::fromStdString(option);
+    if (o.list && among(kOfMaking)) return CliText::tr("%1 has no effect: --list makes nothing.").arg(name);
+    if (o.list) continue;
     if (specimen && (among(kOfBoth) || among(kOfVolumes) || among(kOfMeshes)))
       return CliText::tr("%1 has no effect: %2 is a specimen’s volume already. Only --turn changes it.").arg(name, QString::fromStdString(o.files.front()));
     if (kind == FileKind::image && among(kOfMeshes)) return CliText::tr("%1 has no effect on a volume, only on meshes.").arg(name);
@@ -121,5 +130,20 @@ std::optional<QString> without_effect(const ImportOptions& o) {
   }
   return std::nullopt;
 }
+
+std::optional<QString> unread_file(const ImportOptions& o) {
+  if (o.files.size() < 2 || file_kind(o.files.front()) != FileKind::image) return std::nullopt;
+  if (are_slices_of_a_folder({o.files.begin(), o.files.end()})) return std::nullopt;
+  return CliText::tr("%1 would not be read: a volume is imported alone.").arg(QString::fromStdString(o.files[1]));
+}
+
+std::optional<QString> misleading_name(const ImportOptions& o) {
+  std::error_code unknown;
+  const bool fits = is_binvox(o) || ending_of(o.out) == ".nrrd" || file_kind(o.out) == FileKind::unknown;
+  if (fits || std::filesystem::is_directory(o.out, unknown)) return std::nullopt;
+  return CliText::tr("%1 is the name of another kind of file: a volume is written as NRRD, or as binvox by its ending.").arg(QString::fromStdString(o.out));
+}
+
+bool is_binvox(const ImportOptions& o) { return ending_of(o.out) == ".binvox"; }
 
 }  // namespace cusp::ui

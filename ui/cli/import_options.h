@@ -42,7 +42,16 @@ Result<ImageTissues, QString> image_tissues(const ImportOptions& o, UpAxis up);
 /// What was typed as the import of meshes, or why it is wrong.
 Result<MeshImport, QString> mesh_import(const ImportOptions& o, UpAxis up);
 
-/// Names the first option that changes nothing of what is made; nullopt: each does.
+/// Names the first option that changes nothing of what is made, or listed; nullopt: each does.
 std::optional<QString> without_effect(const ImportOptions& o);
+
+/// Names a file that would not be read; nullopt: all are.
+std::optional<QString> unread_file(const ImportOptions& o);
+
+/// Why the volume would lie under the name of another kind of file; nullopt: it would not.
+std::optional<QString> misleading_name(const ImportOptions& o);
+
+/// Whether the volume that is made is a binvox, by its ending.
+bool is_binvox(const ImportOptions& o);
 
 }  // namespace cusp::ui

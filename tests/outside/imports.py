@@ -1,0 +1,86 @@
+"""What `cusp import` refuses before it makes anything: options in vain, files that it would pass over, names that mislead.
+
+  imports.py CUSP
+"""
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from desk import Desk, check, one_sentence  # noqa: E402
+
+
+def options_in_vain(desk):
+    """An option that changes nothing of what is imported is named, not ignored."""
+    own, mesh, made = desk.path("made.nrrd"), desk.path("cube.obj"), desk.path("vain.nrrd")
+    check(desk.run("specimen", "block", "--voxel-mm", "0.5", "-o", own)[0] == 0, "a block is made")
+    for file, *option in ((own, "--up", "x"), (own, "--unit-mm", "1"), (own, "--scale", "2"), (own, "--voxel-mm", "0.2"), (own, "--tissue", "2=enamel"),
+                          (own, "--from", "dentine=3"), (own, "--hollows", "pulp"), (own, "--largest-piece"), (own, "--mend-mm", "1"),
+                          (own, "--precedence", "given"), (mesh, "--largest-piece"), (mesh, "--hollows", "pulp"), (mesh, "--from", "dentine=3"),
+                          (desk.path("ct.mha"), "--mend-mm", "1"), (desk.path("ct.mha"), "--precedence", "given")):
+        status, out, err = desk.run("import", file, *option, "-o", made)
+        check(status == 2 and out == "" and option[0] in err, f"{file} {option}: exit {status}: {out}{err}")
+        one_sentence(err, str(option))
+    check(not os.path.exists(made), "a refused import left a volume")
+    status, _, err = desk.run("import", own, "--turn", "z", "-o", made)
+    check(status == 0 and os.path.exists(made), f"a specimen is turned: {err}")
+
+
+def wrong_usage(desk, what, arguments, name):
+    status, out, err = desk.run("import", *arguments)
+    check(status == 2 and out == "" and name in err, f"{what}: exit {status}: {out}{err}")
+    one_sentence(err, what)
+
+
+def failed(desk, what, arguments, name):
+    status, out, err = desk.run("import", *arguments)
+    check(status == 1 and out == "" and name in err, f"{what}: exit {status}: {out}{err}")
+    one_sentence(err, what)
+
+
+def one_part(desk):
+    """A tetrahedron, and a volume that is label 1 throughout."""
+    mesh, labels = desk.path("part.obj"), desk.path("labels.nrrd")
+    with open(mesh, "w", encoding="ascii") as f:
+        f.write("o a\nv 0 0 0\nv 5 0 0\nv 0 5 0\nv 0 0 5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+    with open(labels, "wb") as f:
+        f.write(b"NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nspacings: 1 1 1\nencoding: raw\n\n" + b"\1" * 64)
+    return mesh, labels
+
+
+def passed_over(desk, mesh, labels):
+    """A file or a label that would not be read is named."""
+    made, tissue = desk.path("imported.nrrd"), ("--tissue", "1=enamel")
+    for other in (mesh, labels):
+        wrong_usage(desk, f"{other} beside a volume", (labels, other, *tissue, "-o", made), other)
+    wrong_usage(desk, "a list into a file", (mesh, "--list", "-o", made), "--output")
+    wrong_usage(desk, "a list of tissues", (mesh, "--list", "--tissue", "a=enamel"), "--tissue")
+    failed(desk, "a label that is not there", (labels, *tissue, "--tissue", "3=pulp", "-o", made), "3")
+    check(not os.path.exists(made), "a refused import left a volume")
+
+
+def names(desk, mesh, labels):
+    """A volume lies under a name of its own kind, and no source of it is lost."""
+    with open(labels, "rb") as f:
+        before = f.read()
+    for name in ("tooth.stl", "tooth.nii.gz", "tooth.mha"):
+        wrong_usage(desk, name, (labels, "--tissue", "1=enamel", "-o", desk.path(name)), name)
+        check(not os.path.exists(desk.path(name)), f"{name} was written")
+    wrong_usage(desk, "over a mesh", (mesh, "--tissue", "a=enamel", "-o", mesh), "part.obj")
+    failed(desk, "over its own source", (labels, "--tissue", "1=enamel", "-o", labels), "labels.nrrd")
+    with open(labels, "rb") as f:
+        check(f.read() == before, "a refused import wrote over its source")
+    capital = desk.path("tooth.BINVOX")
+    status, _, err = desk.run("import", labels, "--tissue", "1=enamel", "-o", capital)
+    check(status == 0, f"a binvox in capitals: {err}")
+    with open(capital, "rb") as f:
+        check(f.read(7) == b"#binvox", "a binvox in capitals is none")
+    own = desk.path("own.nrrd")
+    check(desk.run("specimen", "block", "--voxel-mm", "0.5", "-o", own)[0] == 0, "a block is made")
+    status, _, err = desk.run("import", own, "--turn", "z", "-o", own)
+    check(status == 0, f"a specimen is turned in its place: {err}")
+
+
+with Desk(sys.argv[1]) as the_desk:
+    options_in_vain(the_desk)
+    passed_over(the_desk, *one_part(the_desk))
+    names(the_desk, *one_part(the_desk))
