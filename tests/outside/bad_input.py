@@ -273,6 +273,22 @@ def outputs(desk):
         one_sentence(done.stderr, f"{arguments} to a full disk")
 
 
+def unread_pipes(desk):
+    """A reader that goes away, as head does, changes neither the work nor the status."""
+    listed = desk.path("listed.json")
+    with open(desk.path("unread.obj"), "w", encoding="ascii") as f:
+        f.write("o a\nv 0 0 0\nv 5 0 0\nv 0 5 0\nv 0 0 5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+    for arguments in (("template", "list"), ("template", "list", "--json", "-"), ("play", "--help"), ("--version",),
+                      ("import", desk.path("unread.obj"), "--list", "--json", listed)):
+        reading, writing = os.pipe()
+        os.close(reading)
+        done = subprocess.run([desk.cusp, *arguments], stdin=subprocess.DEVNULL, stdout=writing, stderr=subprocess.PIPE, text=True,
+                              timeout=HUNG_S, env=desk.environment())
+        os.close(writing)
+        check(done.returncode == 0 and done.stderr == "", f"{arguments} without a reader: exit {done.returncode}: {done.stderr}")
+    check(os.path.exists(listed), "what follows the output was not done")
+
+
 def causes(desk):
     """What cannot be written is named with the system's reason, and what was there before stays."""
     nowhere, folder, missing, directory = desk.path("none", "f"), desk.path("a-folder"), "No such file or directory", "Is a directory"
@@ -378,6 +394,7 @@ with Desk(sys.argv[1]) as the_desk:
     audits_of_what_changes(the_desk)
     databases(the_desk)
     outputs(the_desk)
+    unread_pipes(the_desk)
     causes(the_desk)
     file_sizes(the_desk)
     disks(the_desk)

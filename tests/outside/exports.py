@@ -224,6 +224,18 @@ def stopped(desk, database):
     check(run.returncode == 1 and b"started_utc" in content and "No file" not in err, f"a stopped export: exit {run.returncode}: {err}")
 
 
+def unread(desk, database):
+    """Whoever closes the pipe before its end has read what came before it: the audit log names that export too."""
+    before = entries(database)
+    reading, writing = os.pipe()
+    os.close(reading)
+    done = subprocess.run([desk.cusp, "export", database, "--as", "admin"], stdin=subprocess.DEVNULL, stdout=writing, stderr=subprocess.PIPE,
+                          text=True, timeout=HUNG_S, env=desk.environment(**ADMIN))
+    os.close(writing)
+    check(done.returncode == 0 and done.stderr == "", f"an export without a reader: exit {done.returncode}: {done.stderr}")
+    check(entries(database) == before + 1, "an export that was read in part has no entry")
+
+
 def main():
     arguments = argparse.ArgumentParser()
     arguments.add_argument("cusp")
@@ -239,6 +251,7 @@ def main():
         unwritable_json(desk, database)
         refusals(desk, database)
         stopped(desk, database)
+        unread(desk, database)
         gradebooks(desk, database)
         print("exports name cohort and dates, write gradebooks, and refuse what is wrong")
 

@@ -58,13 +58,12 @@ bool write_out(std::string_view text) {
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return true;
   note_output_error();
-  return false;
+  return g_output_error == EPIPE;
 }
 
 int after_output(int status) {
   errno = 0;
-  // CLI11 writes --help without write_out().
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) note_output_error();
+  if (g_output_error == 0 && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)) note_output_error();
   if (g_output_error == 0 || g_output_error == EPIPE) return status;
   return failed(CliText::tr("The standard output cannot be written: %1.").arg(QString::fromLocal8Bit(std::strerror(g_output_error))));
 }

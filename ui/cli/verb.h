@@ -50,7 +50,8 @@ int failed(const QString& what);
 void warn(const QString& what);
 /// One line on stderr and kWrongUsage.
 int wrong_usage(const QString& what);
-/// Writes to stdout at once. False: could not be written; after_output() prints the message.
+/// Writes to stdout at once. False: could not be written; after_output() prints the message. What the reader of a pipe no longer wants
+/// counts as written: the verb's work and its entry in the audit log do not hang on a reader.
 bool write_out(std::string_view text);
 /// The exit status of a verb that ends with `status`: kFailed, and one line on stderr, if stdout has lost something. A pipe that
 /// its reader has closed changes nothing.

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <clocale>
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 #include <string_view>
 
 #include "scenarios/import/worker.h"
@@ -51,7 +53,10 @@ int run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help, --version
-    return after_output(program.exit(asked));
+    std::ostringstream text;
+    const int status = program.exit(asked, text);
+    write_out(text.str());
+    return after_output(status);
   } catch (const CLI::ParseError& wrong) {
     return wrong_usage(CliText::tr("%1 (see cusp VERB --help)").arg(QString::fromUtf8(wrong.what())));
   }
@@ -98,6 +103,7 @@ std::optional<int> refuse_files(const QStringList& files) {
 
 int run_verb(int argc, char** argv) {
   if (const auto status = import_child_main(argc, argv)) return *status;
+  std::signal(SIGPIPE, SIG_IGN);  // a write to a pipe that its reader has closed then fails with EPIPE, and the verb goes on
   // A verb prints one line when it fails, and Qt's remarks about the session it runs in are none of it.
   qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {
     if (type == QtFatalMsg) std::fprintf(stderr, "cusp: %s\n", qUtf8Printable(message));
