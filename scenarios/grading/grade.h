@@ -45,7 +45,7 @@ struct Grade {
   bool passed = false;
   std::vector<std::string> critical;      // critical events that happened
   std::vector<CriterionGrade> criteria;   // in the rubric's order
-  std::string evaluator = "11";           // version of measuring and marking; rises when a figure changes.
+  std::string evaluator = "12";           // version of measuring and marking; rises when a figure changes.
                                           // 2: what is kept intact counts in proportion to what was drilled
                                           // 3: points are of 100, evidence lies on the cut surface
                                           // 4: so does every depth, width, form and push; walls of a tree by face name
@@ -56,6 +56,9 @@ struct Grade {
                                           // 9: a ridge cut through, a region gone whole and a target left out cost their points
                                           // 10: a box far off its target is measured; over-cut beside a leaning wall is that wall's
                                           // and an offset of a difference has its faces where they are cut
+                                          // 11: nothing is left over a pulp that is gone whole, a step within a metric's range has an
+                                          // edge, and a force counts once the proxy has converged
+                                          // 12: the clearance is to the neighbour as it stood, however deep it was cut
 };
 
 /// In points. Rounding moves a sum of criteria by less than 1e-12; people read tenths of a point. Test:

@@ -60,7 +60,7 @@ class Proximal {
     }
     return out;
   }
-  /// From a place of the margin to the neighbour; nullopt where the tooth itself stands between, or none is near.
+  /// From a place of the margin to the neighbour as it stood; nullopt where the tooth itself stands between, or none is near.
   std::optional<Clear> clearance(Vec3 from) {
     const Grid& grid = volume_.grid();
     const double far = neighbours_.distance_mm(from, kFurthestNeighbourMm);
@@ -73,10 +73,20 @@ class Proximal {
       if (!is_neighbour(volume_.tissue(nearest_voxel(grid, p)))) return std::nullopt;
       return nearest_from(from, search_.between(p - grid.voxel_mm * way, p + 0.5 * grid.voxel_mm * way));
     }
-    return std::nullopt;
+    return to_cut_neighbour(from, way, far);
   }
 
  private:
+  /// The same where nothing of the neighbour is left on the way: damage of the neighbour is no clearance.
+  std::optional<Clear> to_cut_neighbour(Vec3 from, Vec3 way, double far) {
+    const Grid& grid = volume_.grid();
+    for (double mm = grid.voxel_mm; mm <= far + 2.0 * grid.voxel_mm; mm += 0.25 * grid.voxel_mm) {
+      const Vec3 p = from + mm * way;
+      if (original_.inside(p) && is_neighbour(volume_.tissue(nearest_voxel(grid, p))))
+        return nearest_from(from, original_.between(p - grid.voxel_mm * way, p + 0.5 * grid.voxel_mm * way));
+    }
+    return std::nullopt;
+  }
   void find_contacts() {
     const Specimen& specimen = reference_.specimen();
     const Grid& grid = specimen.grid();

@@ -6,6 +6,7 @@
 /// clearance_<buccal|lingual>_<gingival|middle|occlusal> (mm): least distance from that wall's proximal margin to the neighbour, in
 /// the lowest, middle and highest third of that margin.
 /// clearance_gingival (mm): least distance from the gingival floor's proximal margin to the neighbour.
+/// A neighbour that was cut counts as it stood: its damage is no clearance.
 /// gingival_floor_mesiodistal (mm): mean depth of the gingival floor from its proximal margin to the axial wall, over the middle half of
 /// the floor's buccolingual width.
 /// Needs: a grown tooth, walls by name, a banded volume; all but the last a neighbour and a target that holds the contact.

@@ -173,6 +173,35 @@ TEST(Proximal, AClearanceIsShownOnTheMarginThatItIsOf) {
   EXPECT_EQ(places, 7);
 }
 
+TEST(Proximal, AClearanceIsToTheNeighbourAsItStoodHoweverDeepItWasCut) {
+  Draw draw{std::mt19937_64(2)};
+  const auto specimen = two_teeth(0.1, draw, tissue_at);
+  Scenario s = exercise();
+  s.rubric = rubric_of({{"clearance_gingival", 0}});
+  const Reference reference(s, specimen);
+  const Box box;
+  const auto truth = truth_of(box, 0.1);
+  // The neighbour's whole side, then a groove before the buccal wall alone.
+  const auto groove = [](Vec3 p) { return std::fabs(p.y - 1.6) - 0.3; };
+  for (const double deep_mm : {0.1, 0.5})
+    for (const bool whole : {true, false}) {
+      SCOPED_TRACE(testing::Message() << (whole ? "side" : "groove") << " cut " << deep_mm << " mm deep");
+      Volume volume(specimen);
+      carved::carve(volume, [&](Vec3 p) {
+        const double in = -ball_distance(p, Vec3(kBeside, 0, kMiddle), kRadius);
+        const double nick = std::max({-in, in - deep_mm, whole ? -kRadius : groove(p)});
+        return std::min(box.distance(p), nick);
+      });
+      const auto measures = measure(reference, volume, {});
+      for (const auto& [key, mm] : truth) {
+        if (!key.starts_with("clearance_")) continue;
+        const Measure m = get(measures, key);
+        ASSERT_TRUE(m.measured) << key;
+        EXPECT_NEAR(m.value, mm, m.uncertainty) << key;
+      }
+    }
+}
+
 TEST(Proximal, WithoutAContactInTheTargetNothingIsSaidOfIt) {
   Draw draw{std::mt19937_64(1)};
   Scenario s = exercise();
