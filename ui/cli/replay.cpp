@@ -142,7 +142,8 @@ void add_replay(CLI::App& program, Job& job) {
   verb->add_option("DB", o->db, help(CliText::tr("Database")))->required();
   verb->add_option("SESSION", o->session, help(CliText::tr("The session's id")))->required();
   verb->add_option("--volume", o->volume, help(CliText::tr("Write the tooth as it is then (NRRD)")))
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->excludes(verify);
   o->account.add_to(*verb);
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return replay(*o); }; });
