@@ -25,5 +25,18 @@ def replays(desk):
     wrong_usage(desk, ("replay", "x.db", SESSION, "--verify", "--at", "1"), "--verify", "--at")
 
 
+def specimens(desk):
+    """A block has no tooth's number and no gums, and that of the paper one size of voxels."""
+    made = desk.path("specimen.nrrd")
+    for kind, *option in (("block", "--fdi", "16"), ("block", "--seed", "2"), ("layered-block", "--neighbours"), ("paper-block", "--gingiva"),
+                          ("block", "--bone"), ("block", "--typodont"), ("layered-block", "--lesion", "fissure:central"), ("paper-block", "--voxel-mm", "0.05")):
+        wrong_usage(desk, ("specimen", kind, *option, "-o", made), option[0], kind)
+    wrong_usage(desk, ("specimen", "tooth", "--typodont", "--lesion", "fissure:central", "-o", made), "--lesion", "plastic")
+    check(not os.path.exists(made), "a refused specimen was written")
+    status, _, err = desk.run("specimen", "block", "--voxel-mm", "0.5", "-o", made)
+    check(status == 0 and os.path.exists(made), f"a block of coarse voxels: {err}")
+
+
 with Desk(sys.argv[1]) as the_desk:
     replays(the_desk)
+    specimens(the_desk)

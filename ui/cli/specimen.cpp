@@ -3,8 +3,10 @@
 #include "scenarios/specimens/specimens.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -27,6 +29,7 @@ struct SpecimenOptions {
   std::vector<std::string> lesions;  // KIND:SITE:RADIUS:DEPTH:SOFTNESS
   std::string out;
   JsonOption json;
+  std::vector<std::string> typed;  // options, by their names
 };
 
 /// "fissure:central:0.8:1.0:0.7"; numbers may be left out from the end. Nothing when it is not of that form.
@@ -53,8 +56,23 @@ std::optional<LesionSource> lesion_of(const std::string& text) {
   return fits ? std::optional(out) : std::nullopt;
 }
 
+constexpr std::array<std::string_view, 7> kOfTeeth = {"--fdi", "--seed", "--typodont", "--neighbours", "--gingiva", "--bone", "--lesion"};
+
+/// Names the first option that this kind of specimen does not have; nullopt: it has all.
+std::optional<QString> foreign_option(const SpecimenOptions& o) {
+  const bool tooth = o.source.generator == "tooth", of_one_size = o.source.generator == "paper-block";
+  for (const std::string& option : o.typed) {
+    const QString name = QString::fromStdString(option);
+    if ((!tooth && std::ranges::find(kOfTeeth, option) != kOfTeeth.end()) || (of_one_size && option == "--voxel-mm"))
+      return CliText::tr("%1 has no effect on %2.").arg(name, QString::fromStdString(o.source.generator));
+    if (o.source.typodont && option == "--lesion") return CliText::tr("%1 has no effect on a tooth of plastic: it has no carious lesion.").arg(name);
+  }
+  return std::nullopt;
+}
+
 int specimen_verb(const SpecimenOptions& options) {
   SpecimenOptions o = options;
+  if (const auto vain = foreign_option(o)) return wrong_usage(*vain);
   if (const auto no = refuse_outputs({o.out, o.json.file})) return failed(*no);
   if (o.neighbours) o.source.around.emplace_back("neighbours");
   if (o.gingiva) o.source.around.emplace_back("gingiva");
@@ -97,7 +115,10 @@ void add_specimen(CLI::App& program, Job& job) {
       ->check([](const std::string& text) { return lesion_of(text) ? std::string() : text; });
   verb->add_option("-o,--output", o->out, help(CliText::tr("Volume to write (NRRD)")))->type_name("VOLUME")->required();
   o->json.add_to(*verb);
-  verb->callback([&job, o] { job = [o] { return specimen_verb(*o); }; });
+  verb->callback([&job, o, verb] {
+    for (const CLI::Option* option : verb->parse_order()) o->typed.push_back(option->get_name());
+    job = [o] { return specimen_verb(*o); };
+  });
 }
 
 }  // namespace cusp::ui
