@@ -37,6 +37,17 @@ def specimens(desk):
     check(status == 0 and os.path.exists(made), f"a block of coarse voxels: {err}")
 
 
+def plays(desk):
+    """A file of inputs has no tremor, and a person who holds the device no script."""
+    play = ("play", desk.small_exercise(), "--db", desk.path("none.db"), "--out", desk.path("o"))
+    wrong_usage(desk, (*play, "--script", desk.small_script(1), "--seed", "2"), "--seed", "script.csv")
+    wrong_usage(desk, (*play, "--device", "falcon", "--script", "novice"), "--script")
+    wrong_usage(desk, (*play, "--device", "falcon:FT1", "--seed", "2"), "--seed")
+    wrong_usage(desk, (*play, "--device", "falcon", "--seconds", "5", "--silence-every", "2"), "--silence-every")
+    check(not os.path.exists(desk.path("none.db")), "what was refused left a database")
+
+
 with Desk(sys.argv[1]) as the_desk:
     replays(the_desk)
     specimens(the_desk)
+    plays(the_desk)

@@ -27,7 +27,7 @@ namespace {
 struct PlayOptions {
   std::string scenario, script = "expert", out, db;
   std::uint64_t seed = 1;
-  bool progress = false;
+  bool progress = false, script_typed = false, seed_typed = false;
   std::string device;
   double seconds = 0, silence_every_s = 0;
   AccountOption account;
@@ -50,7 +50,11 @@ DeviceChoice device_of(const std::string& text) {
 /// What stands against playing live; nullopt: nothing.
 std::optional<int> check_device(const PlayOptions& o, const DeviceChoice& device, const SessionPlan& plan) {
   if (!can_play_live(device)) return wrong_usage(CliText::tr("--device has to be falcon, falcon:NAME or emulated-falcon."));
-  if (device.kind != "emulated-falcon") return std::nullopt;
+  if (device.kind != "emulated-falcon") {
+    if (o.silence_every_s > 0) return wrong_usage(CliText::tr("--silence-every belongs to --device emulated-falcon."));
+    if (o.script_typed || o.seed_typed) return wrong_usage(CliText::tr("--script and --seed belong to a scripted operator: a person holds this device."));
+    return std::nullopt;
+  }
   const auto scripted = operator_by_name(o.script, plan.scenario, *plan.specimen, o.seed);
   if (!scripted) return wrong_usage(CliText::tr("An emulated Falcon needs a scripted operator by name: expert, novice and so on."));
   if (scripted->plan().strokes.empty()) return failed(no_plan_text(plan.scenario));
@@ -65,6 +69,7 @@ std::optional<int> take_script(const PlayOptions& o, SessionPlan& plan, PlaySett
     plan.operator_name = o.script;
     return std::nullopt;
   }
+  if (o.seed_typed) return wrong_usage(CliText::tr("--seed belongs to a scripted operator, and %1 is none.").arg(QString::fromStdString(o.script)));
   const std::filesystem::path file(o.script);
   auto trace = std::make_unique<CsvPort>(file, Pacing::at_once);
   // Each row brings its own length; the loop asks once a sample, in order.
@@ -145,11 +150,11 @@ void add_play(CLI::App& program, Job& job) {
                                 "and tooth.png; prints the session's id")));
   verb->add_option("SCENARIO", o->scenario, help(CliText::tr("A scenario.json, its folder, or a built-in one: %1").arg(builtins())))
       ->required();
-  verb->add_option("--script", o->script,
+  const CLI::Option* script = verb->add_option("--script", o->script,
                    help(CliText::tr("expert, competent, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs")))
       ->type_name("HAND")
       ->capture_default_str();
-  verb->add_option("--seed", o->seed, help(CliText::tr("Of the scripted operator's tremor")))->check(check_whole)->capture_default_str();
+  const CLI::Option* seed = verb->add_option("--seed", o->seed, help(CliText::tr("Of the scripted operator's tremor")))->check(check_whole)->capture_default_str();
   verb->add_flag("--progress", o->progress, help(CliText::tr("Print each second of the session to stderr as it is played")));
   verb->add_option("--device", o->device,
                    help(CliText::tr("Play in real time on a device: falcon, falcon:NAME (held by a person) or emulated-falcon "
@@ -166,7 +171,11 @@ void add_play(CLI::App& program, Job& job) {
   verb->add_option("--out", o->out, help(CliText::tr("Folder for the report")))->type_name("DIR")->required();
   o->account.add_to(*verb);
   o->json.add_to(*verb);
-  verb->callback([&job, o] { job = [o] { return play(*o); }; });
+  verb->callback([&job, o, script, seed] {
+    o->script_typed = script->count() > 0;
+    o->seed_typed = seed->count() > 0;
+    job = [o] { return play(*o); };
+  });
 }
 
 }  // namespace cusp::ui
