@@ -1,4 +1,4 @@
-"""Options of every verb but import that would change nothing: none is passed over. imports.py has those of import.
+"""Options of every verb but import that would change nothing, and values that are empty: none is passed over. imports.py has import.
 
   passed_over.py CUSP
 """
@@ -47,7 +47,21 @@ def plays(desk):
     check(not os.path.exists(desk.path("none.db")), "what was refused left a database")
 
 
+def empty_values(desk):
+    """A variable of the shell that is not set names nothing: it is not the same as no option."""
+    grade, fit = ("grade", "x.db", SESSION), ("template", "fit", "class-1-adhesive", "--tooth", "36", "--out", desk.path("fitted"))
+    play = ("play", desk.small_exercise(), "--script", desk.small_script(1))
+    for verb, *options in ((("history", "x.db", "list"), "--as", "--json"), (("erase", "x.db", "17"), "--as"), (grade, "--rubric", "--volume", "--out"),
+                           (("replay", "x.db", SESSION), "--volume"), (("export", "x.db"), "--output"), (("verify", "x.cusppack"), "--db"),
+                           (("audit", desk.small_exercise(), "--apply"), "--out"), (fit, "--volume"), ((*play, "--out", desk.path("empty")), "--db", "--device"),
+                           (play, "--out")):
+        for option in options:
+            wrong_usage(desk, (*verb, option, ""), option, "empty")
+    check(not os.path.exists(desk.path("empty")) and not os.path.exists(desk.path("fitted")), "what was refused was written")
+
+
 with Desk(sys.argv[1]) as the_desk:
     replays(the_desk)
     specimens(the_desk)
     plays(the_desk)
+    empty_values(the_desk)

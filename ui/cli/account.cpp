@@ -14,7 +14,8 @@ void AccountOption::add_to(CLI::App& verb) {
   verb.add_option("--as", number,
                   help(CliText::tr("Number or user name of the account to act as; its password or PIN comes from CUSP_PASSWORD or stdin. "
                                     "Without it: the student demo")))
-      ->type_name("NAME");
+      ->type_name("NAME")
+      ->check(check_not_empty);
 }
 
 Result<std::unique_ptr<Store>, Message> open_records(const std::filesystem::path& file) {

@@ -118,7 +118,7 @@ void add_appeal(CLI::App& program, Job& job) {
   auto v = std::make_shared<AppealOptions>();
   CLI::App* verify = program.add_subcommand("verify", help(CliText::tr("Verifies an appeal pack: its signature, its files, and its records")));
   verify->add_option("FILE", v->file, help(CliText::tr("NAME.cusppack")))->required();
-  verify->add_option("--db", v->db, help(CliText::tr("Database that may know the key of the pack")))->type_name("DB");
+  verify->add_option("--db", v->db, help(CliText::tr("Database that may know the key of the pack")))->type_name("DB")->check(check_not_empty);
   verify->add_flag("--replay", v->replay, help(CliText::tr("Also compute the attempt anew, and compare tooth and grade bit for bit")));
   v->json.add_to(*verify);
   verify->callback([&job, v] { job = [v] { return verify_pack(*v); }; });

@@ -125,7 +125,8 @@ void add_grade(CLI::App& program, Job& job) {
   verb->add_option("SESSION", o->session, help(CliText::tr("The session's id")));
   verb->add_option("--volume", o->volume,
                    help(CliText::tr("Grade this prepared volume of the scenario's specimen (NRRD). Shown, not stored")))
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(check_not_empty);
   verb->add_option("--operator", o->cuts_of,
                    help(CliText::tr("Cut the scenario's specimen as this operator would, at once, and grade that: reference, competent, "
                                      "novice, too_deep, too_shallow, off_outline or pulp; or the reference with one fault, small, medium or "
@@ -135,8 +136,9 @@ void add_grade(CLI::App& program, Job& job) {
       ->check(CLI::IsMember(operators_of_cuts()));
   verb->add_option("--rubric", o->rubric,
                    help(CliText::tr("Another rubric: a scenario.json or its rubric alone. Shown, not stored")))
-      ->type_name("FILE");
-  verb->add_option("--out", o->out, help(CliText::tr("Folder for the report")))->type_name("DIR");
+      ->type_name("FILE")
+      ->check(check_not_empty);
+  verb->add_option("--out", o->out, help(CliText::tr("Folder for the report")))->type_name("DIR")->check(check_not_empty);
   o->account.add_to(*verb);
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return grade_verb(*o); }; });

@@ -159,7 +159,8 @@ void add_play(CLI::App& program, Job& job) {
   verb->add_option("--device", o->device,
                    help(CliText::tr("Play in real time on a device: falcon, falcon:NAME (held by a person) or emulated-falcon "
                                      "(led by the scripted operator)")))
-      ->type_name("DEVICE");
+      ->type_name("DEVICE")
+      ->check(check_not_empty);
   verb->add_option("--seconds", o->seconds, help(CliText::tr("With --device: end after so many seconds of the session; the "
                                                               "scripted operator begins anew meanwhile")))
       ->check(check_positive);
@@ -167,8 +168,9 @@ void add_play(CLI::App& program, Job& job) {
                    help(CliText::tr("With the emulated Falcon: it answers nothing for 50 ms every so many seconds")))
       ->check(check_positive);
   verb->add_option("--db", o->db, help(CliText::tr("Database; made when it is not there. Without it: cusp.db in DIR")))
-      ->type_name("DB");
-  verb->add_option("--out", o->out, help(CliText::tr("Folder for the report")))->type_name("DIR")->required();
+      ->type_name("DB")
+      ->check(check_not_empty);
+  verb->add_option("--out", o->out, help(CliText::tr("Folder for the report")))->type_name("DIR")->required()->check(check_not_empty);
   o->account.add_to(*verb);
   o->json.add_to(*verb);
   verb->callback([&job, o, script, seed] {

@@ -181,11 +181,12 @@ void add_template(CLI::App& program, Job& job) {
   CLI::Option* seed = fitted->add_option("--seed", o->seed, help(CliText::tr("Natural variation; 0 = the average tooth")))->check(check_whole)->capture_default_str();
   fitted->add_option("--volume", o->volume, help(CliText::tr("A tooth of your own (NRRD), its landmarks proposed; it is copied to DIR")))
       ->type_name("FILE")
+      ->check(check_not_empty)
       ->excludes(seed);
   fitted->add_option("--set", o->set, help(CliText::tr("A parameter's value; may be given many times")))
       ->type_name("NAME=VALUE")
       ->check([](const std::string& text) { return assignment_of(text) ? std::string() : text; });
-  fitted->add_option("--out", o->out, help(CliText::tr("Folder for scenario.json")))->type_name("DIR")->required();
+  fitted->add_option("--out", o->out, help(CliText::tr("Folder for scenario.json")))->type_name("DIR")->required()->check(check_not_empty);
   o->json.add_to(*fitted);
   fitted->callback([&job, o] { job = [o] { return fit(*o); }; });
 }

@@ -90,10 +90,12 @@ std::string check_counting(const std::string& typed) {
   return help(no_whole_number_from_1(shown_typed(typed)));
 }
 
+std::string check_not_empty(const std::string& typed) { return typed.empty() ? help(CliText::tr("the value is empty")) : std::string(); }
+
 void print_line(const std::string& line) { write_out(line + '\n'); }
 
 void JsonOption::add_to(CLI::App& verb) {
-  verb.add_option("--json", file, help(CliText::tr("Write the result as JSON to FILE, or to stdout for -")))->type_name("FILE");
+  verb.add_option("--json", file, help(CliText::tr("Write the result as JSON to FILE, or to stdout for -")))->type_name("FILE")->check(check_not_empty);
 }
 
 void ClockOption::add_to(CLI::App& verb) {

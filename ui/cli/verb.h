@@ -99,5 +99,7 @@ std::string check_not_negative(const std::string& typed);  // a finite number fr
 std::string check_positive(const std::string& typed);      // a finite number above 0
 std::string check_whole(const std::string& typed);         // a whole number from 0 to 2^64 - 1
 std::string check_counting(const std::string& typed);      // a whole number from 1 to 2^64 - 1
+/// Not empty, as a variable of a shell that is not set: an empty name would count as none, and other records or files be taken.
+std::string check_not_empty(const std::string& typed);
 
 }  // namespace cusp::ui
