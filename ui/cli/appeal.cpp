@@ -85,19 +85,21 @@ int verify_pack(const AppealOptions& o) {
   const auto pack = open_appeal_pack(o.file, here.get());
   if (!pack) return failed(pack.error());
   auto json = json_of(*pack);
-  QString wrong = pack->whole() ? QString() : what_is_wrong(*pack);
+  QString wrong = pack->whole() ? QString() : what_is_wrong(*pack), not_computed;
   if (wrong.isEmpty() && o.replay) {
     const auto proof = prove_pack(*pack);
     if (!proof) return failed(proof.error());
     json["replayed"] = proof->same_engine;
     json["replay_holds"] = proof->holds();
     wrong = proof_text(*proof);
+    if (!proof->same_engine) not_computed = not_computed_text(*proof);
   }
   if (!o.json.write(json)) return kFailed;
   if (!wrong.isEmpty()) return failed(wrong);
   if (!o.json.on_stdout()) {
     print_line(plain(CliText::tr("Nothing was changed since this pack was made on %1; key %2.")
                          .arg(QString::fromStdString(iso_utc(pack->checked.description.made_utc_us)), fingerprint(pack->checked.key))));
+    if (!not_computed.isEmpty()) print_line(plain(not_computed));
     if (here) print_line(plain(signer_text(pack->signer)));
   }
   return kDone;

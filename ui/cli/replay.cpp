@@ -57,9 +57,7 @@ int verify(const ReplayOptions& o, Store& store, SessionId id) {
   if (!proof->holds()) return failed(proof_text(*proof));
   if (o.json.on_stdout()) return kDone;
   if (!proof->same_engine) {
-    print_line(plain(CliText::tr("The record is whole. It was made by engine %1 and is not computed again by engine %2.")
-                  .arg(proof->engine_version)
-                  .arg(kEngineVersion)));
+    print_line(plain(not_computed_text(*proof)));
   } else {
     print_line(plain(CliText::tr("The record is whole; %n tick(s) come to the same tooth and grade, bit for bit.", nullptr,
                            static_cast<int>(proof->ticks))));

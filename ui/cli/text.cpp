@@ -118,4 +118,8 @@ QString no_plan_text(const Scenario& scenario) {
   return CliText::tr("No bur of the exercise fits into its target while the handpiece is tilted by %1 degrees.").arg(QString::number(scenario.tool_tilt_deg));
 }
 
+QString not_computed_text(const ReplayProof& proof) {
+  return CliText::tr("The record is whole. It was made by engine %1 and is not computed again by engine %2.").arg(proof.engine_version).arg(kEngineVersion);
+}
+
 }  // namespace cusp::ui

@@ -22,5 +22,7 @@ inline std::string help(const QString& text) { return text.toStdString(); }
 QString finding_text(const Finding& finding);
 /// Why a scripted operator has nothing to do: no bur fits, held as the exercise's handpiece rests.
 QString no_plan_text(const Scenario& scenario);
+/// That a record of another engine was proved without being computed again. Pre: !proof.same_engine.
+QString not_computed_text(const ReplayProof& proof);
 
 }  // namespace cusp::ui
