@@ -114,6 +114,18 @@ TEST_F(Nifti, WhatIsCutOffOrTooLargeIsRefusedBeforeItsMemoryIsTaken) {
   EXPECT_EQ(key_of(read(huge).error().code), "too_large");
 }
 
+TEST_F(Nifti, VoxelsThatWouldBeginWithinTheHeaderAreRefused) {
+  const std::string nan("\x00\x00\xc0\x7f", 4), of_0(4, '\0'), of_100("\x00\x00\xc8\x42", 4), of_350("\x00\x00\xaf\x43", 4);
+  for (const std::string& offset : {nan, of_0, of_100, of_350}) {
+    std::string bytes = nifti_file(wish);
+    bytes.replace(108, 4, offset);
+    const auto image = read(bytes);
+    ASSERT_FALSE(image);
+    EXPECT_EQ(key_of(image.error().code), "bad_header");
+    EXPECT_EQ(image.error().where, "v.nii vox_offset");
+  }
+}
+
 TEST_F(Nifti, OfAPairTheFileThatIsMissingOrCutIsNamed) {
   const std::string whole = nifti_file(wish), voxels = whole.substr(352);
   std::string header = whole.substr(0, 352);
