@@ -113,7 +113,7 @@ bool are_slices_of_a_folder(const std::vector<std::filesystem::path>& files);
 
 /// Reads, checks and voxelises. The file's coordinates times unit_mm are the specimen's; s is the exact distance to the
 /// triangles within the band, padded by four voxels. Each mesh must be closed and wound alike (all inside out is
-/// turned). Not for the haptic thread: seconds.
+/// turned, with a remark). Not for the haptic thread: seconds.
 [[nodiscard]] Result<VoxelVolume, ImportFailure> import_mesh(const MeshImport& what, const ImportProgress& progress = {},
                                                              std::vector<ImportRemark>* remarks = nullptr);
 

@@ -72,6 +72,7 @@ Result<std::vector<MeshPart>, ImportFailure> choose_parts(std::vector<TriangleMe
     if (!std::isfinite(part.checked.volume)) return fail(ImportError::too_large, what.path.filename().string());
     if (part.checked.volume == 0.0 && !part.turned_at.empty()) return fail(ImportError::mesh_not_oriented, name + part.turned_at);
     if (part.checked.volume == 0.0) return fail(ImportError::mesh_empty, name);
+    if (part.checked.volume < 0.0) remarks.push_back({RemarkCode::inside_out, name});
     parts.push_back(std::move(part));
   }
   return parts;

@@ -28,12 +28,13 @@ enum class RemarkCode : std::uint8_t {
   part_within,       // the same, where the subject lies in the other whole
   size_odd,          // no length of a tooth; numbers: mm, then the factors that would make it one
   sides_assumed,     // the file does not state which way its axes run: the specimen may be mirrored
+  inside_out,        // all of a mesh was wound inwards, as a mirrored one is; subject: mesh
 };
-inline constexpr std::array<std::string_view, 17> kRemarkKeys = {
+inline constexpr std::array<std::string_view, 18> kRemarkKeys = {
     "resampled",         "straightened",     "spacing_assumed", "identity_left_out", "one_of_series", "points_joined",
     "triangles_dropped", "triangles_turned", "holes_closed",    "pieces_removed",    "hollows_filled",
     "shell_capped",      "precedence",       "parts_overlap",   "part_within",       "size_odd",
-    "sides_assumed"};
+    "sides_assumed",     "inside_out"};
 
 struct ImportRemark {
   RemarkCode code;

@@ -47,7 +47,7 @@ std::vector<OverlayLine> up_arrow(Vec3 low, Vec3 high) {
 }
 
 bool warns(RemarkCode code) {
-  return code == RemarkCode::shell_capped || code == RemarkCode::parts_overlap || code == RemarkCode::sides_assumed;
+  return code == RemarkCode::shell_capped || code == RemarkCode::parts_overlap || code == RemarkCode::sides_assumed || code == RemarkCode::inside_out;
 }
 
 }  // namespace

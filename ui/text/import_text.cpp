@@ -85,6 +85,8 @@ QString describe(const ImportRemark& r) {
     case RemarkCode::size_odd: return odd_size_text(n(0)) + factors_text(r);
     case RemarkCode::sides_assumed:
       return ImportText::tr("The file does not name the directions of its axes: the specimen may be the mirror image of the tooth. Compare them.");
+    case RemarkCode::inside_out:
+      return ImportText::tr("%1 was wound inside out, as a mirrored copy is: the specimen may be the mirror image of the tooth. Compare them.").arg(mesh);
   }
   return {};
 }

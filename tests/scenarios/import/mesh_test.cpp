@@ -133,7 +133,7 @@ TEST(ImportMesh, MeshesNotNamedAreLeftOut) {
   EXPECT_LT(volume->grid.size.x, 40);
 }
 
-TEST(ImportMesh, AMeshInsideOutIsTurned) {
+TEST(ImportMesh, AMeshInsideOutIsTurnedAndReportedAsOneThatMayBeMirrored) {
   const TempFolder folder;
   const Mesh ball = sphere("ball", {0, 0, 0}, 2.0, 3);
   write_obj(folder / "a.obj", {ball});
@@ -141,6 +141,16 @@ TEST(ImportMesh, AMeshInsideOutIsTurned) {
   const auto a = import(folder / "a.obj", {{"ball", Tissue::bone}}), b = import(folder / "b.obj", {{"ball", Tissue::bone}});
   ASSERT_TRUE(a && b);
   EXPECT_TRUE(a->s == b->s);
+  const auto reported = [&](const char* file) {
+    MeshImport what;
+    what.path = folder / file;
+    what.tissues = {{"ball", Tissue::bone}};
+    std::vector<ImportRemark> remarks;
+    EXPECT_TRUE(import_mesh(what, {}, &remarks)) << file;
+    return std::ranges::count_if(remarks, [](const ImportRemark& r) { return r.code == RemarkCode::inside_out && r.subject == "ball"; });
+  };
+  EXPECT_EQ(reported("a.obj"), 0);
+  EXPECT_EQ(reported("b.obj"), 1);
 }
 
 TEST(ImportMesh, AShellWoundInwardsIsAHollow) {
