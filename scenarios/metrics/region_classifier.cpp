@@ -190,8 +190,10 @@ void RegionClassifier::tetrahedron(const std::array<Vec3, 4>& corners, double mm
     t[i] = {corners[i], near.wall_mm, near.floor_mm, near.distance_mm};
   }
   const auto [least, most] = std::ranges::minmax(t, {}, &Corner::d);
-  // Its mean section over the distances that it holds.
-  if (least.d < 0.0 && most.d > 0.0) boundary_mm2_ += mm3 / (most.d - least.d);
+  // Its mean section over the distances that it holds. Across an edge of the target all corners may lie on the boundary, but for
+  // rounding: no section is as large as a cell's face.
+  const double section_mm2 = mm3 / (most.d - least.d), face_mm2 = (high_.x - low_.x) * (high_.x - low_.x);
+  if (least.d < 0.0 && most.d > 0.0 && section_mm2 < face_mm2) boundary_mm2_ += section_mm2;
   double floor_edge = leeway_.floor_mm, side_edge = leeway_.side_mm;
   Near middle;
   if (upright_ == nullptr) {  // a tetrahedron has one floor and one wall: those that its middle is nearest to
