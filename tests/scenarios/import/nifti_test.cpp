@@ -1,0 +1,149 @@
+// NIfTI as others write it; the files are made here, byte by byte.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "scenarios/import/foreign_images.h"
+#include "tests/modules.h"
+#include "tests/scenarios/import/image_files.h"
+
+namespace cusp::test {
+namespace {
+
+float value_at(const Image& image, int x, int y, int z) {
+  const IVec3 n = image.layout.size;
+  return image.value[static_cast<std::size_t>(x + n.x * (y + n.y * z))];
+}
+
+struct Nifti : ::testing::Test {
+  TempFolder folder;
+  NiftiWish wish;
+  Nifti() {
+    wish.size = {2, 3, 4};
+    wish.spacing_mm = {0.1, 0.2, 0.5};
+    wish.values = values_of(wish.size, [](IVec3 v) { return v.x + 10 * v.y + 100 * v.z; });
+  }
+  Result<Image, ImportFailure> read(const std::string& bytes) {
+    write_text(folder / "v.nii", bytes);
+    return read_nifti(folder / "v.nii", {});
+  }
+};
+
+TEST_F(Nifti, AnAffineWithNegativeAxesIsTurnedNotMirrored) {
+  wish.affine = {-0.1f, 0, 0, 5, 0, -0.2f, 0, 6, 0, 0, 0.5f, 7};
+  const auto image = read(nifti_file(wish));
+  ASSERT_TRUE(image) << key_of(image.error().code) << image.error().where;
+  EXPECT_EQ(image->layout.size, IVec3(2, 3, 4));
+  EXPECT_LT(glm::length(image->layout.spacing_mm - Vec3(0.1, 0.2, 0.5)), 1e-6);
+  EXPECT_LT(glm::length(image->layout.origin_mm - Vec3(4.9, 5.6, 7.0)), 1e-5);
+  EXPECT_EQ(value_at(*image, 1, 2, 0), 0.0f);
+  EXPECT_EQ(value_at(*image, 0, 0, 3), 321.0f);
+  EXPECT_TRUE(image->spacing_known && image->sides_known);
+  EXPECT_EQ(image->layout.turned_degrees, 0.0);
+}
+
+TEST_F(Nifti, WithoutAnAffineTheSpacingsAloneHoldAndUnitsAreKept) {
+  const auto plain = read(nifti_file(wish));
+  ASSERT_TRUE(plain);
+  EXPECT_LT(glm::length(plain->layout.spacing_mm - Vec3(0.1, 0.2, 0.5)), 1e-6);
+  EXPECT_EQ(value_at(*plain, 1, 2, 3), 321.0f);
+  EXPECT_FALSE(plain->sides_known);
+  wish.units = 3;  // micrometres
+  wish.spacing_mm = {100, 100, 100};
+  const auto micro = read(nifti_file(wish));
+  ASSERT_TRUE(micro);
+  EXPECT_LT(glm::length(micro->layout.spacing_mm - Vec3(0.1)), 1e-6);
+  wish.units = 0;
+  EXPECT_FALSE(read(nifti_file(wish))->spacing_known);
+}
+
+TEST_F(Nifti, ALengthThatIsNoneMakesTheSpacingUnknownAlongAllAxes) {
+  for (const double length : {0.0, std::numeric_limits<double>::quiet_NaN()}) {
+    wish.spacing_mm = {0.1, length, 0.5};
+    const auto image = read(nifti_file(wish));
+    ASSERT_TRUE(image);
+    EXPECT_FALSE(image->spacing_known) << length;
+    EXPECT_EQ(image->layout.spacing_mm, Vec3(1.0)) << length;
+  }
+  // An affine holds lengths of its own.
+  wish.affine = {0.1f, 0, 0, 0, 0, 0.2f, 0, 0, 0, 0, 0.5f, 0};
+  EXPECT_TRUE(read(nifti_file(wish))->spacing_known);
+}
+
+TEST_F(Nifti, UnderAQuaternionALengthBelowZeroIsNone) {
+  const auto by_quaternion = [&] {
+    std::string bytes = nifti_file(wish);
+    bytes.replace(252, 2, std::string("\1\0", 2));  // qform_code: the quaternion of zeros turns nothing
+    return read(bytes);
+  };
+  const auto sound = by_quaternion();
+  ASSERT_TRUE(sound);
+  EXPECT_TRUE(sound->spacing_known && sound->sides_known);
+  EXPECT_LT(glm::length(sound->layout.spacing_mm - Vec3(0.1, 0.2, 0.5)), 1e-6);
+  for (int axis = 0; axis < 3; ++axis) {
+    wish.spacing_mm = {0.1, 0.2, 0.5};
+    wish.spacing_mm[axis] *= -1.0;
+    const auto image = by_quaternion();
+    ASSERT_TRUE(image);
+    EXPECT_FALSE(image->spacing_known || image->sides_known) << axis << ": the library takes 1 for it";
+    EXPECT_EQ(image->layout.spacing_mm, Vec3(1.0)) << axis;
+  }
+}
+
+TEST_F(Nifti, ValuesAreScaled) {
+  wish.slope = 2.0f;
+  wish.intercept = -1000.0f;
+  const auto image = read(nifti_file(wish));
+  ASSERT_TRUE(image);
+  EXPECT_EQ(value_at(*image, 1, 0, 0), -998.0f);
+  EXPECT_EQ(image->kind, ImageKind::grey);
+}
+
+TEST_F(Nifti, WhatIsCutOffOrTooLargeIsRefusedBeforeItsMemoryIsTaken) {
+  const std::string good = nifti_file(wish);
+  EXPECT_EQ(key_of(read(good.substr(0, good.size() - 1)).error().code), "truncated");
+  EXPECT_FALSE(read(good.substr(0, 200)));
+  EXPECT_FALSE(read(""));
+  EXPECT_EQ(read_nifti(folder / "none.nii", {}).error().code, ImportError::bad_header);
+  std::string huge = good;
+  for (const std::size_t at : {42u, 44u, 46u}) huge.replace(at, 2, std::string("\xf4\x01", 2));  // 500 each way
+  EXPECT_EQ(key_of(read(huge).error().code), "truncated");
+  for (const std::size_t at : {42u, 44u, 46u}) huge.replace(at, 2, std::string("\xff\x7f", 2));
+  EXPECT_EQ(key_of(read(huge).error().code), "too_large");
+}
+
+TEST_F(Nifti, VoxelsThatWouldBeginWithinTheHeaderAreRefused) {
+  const std::string nan("\x00\x00\xc0\x7f", 4), of_0(4, '\0'), of_100("\x00\x00\xc8\x42", 4), of_350("\x00\x00\xaf\x43", 4);
+  for (const std::string& offset : {nan, of_0, of_100, of_350}) {
+    std::string bytes = nifti_file(wish);
+    bytes.replace(108, 4, offset);
+    const auto image = read(bytes);
+    ASSERT_FALSE(image);
+    EXPECT_EQ(key_of(image.error().code), "bad_header");
+    EXPECT_EQ(image.error().where, "v.nii vox_offset");
+  }
+}
+
+TEST_F(Nifti, OfAPairTheFileThatIsMissingOrCutIsNamed) {
+  const std::string whole = nifti_file(wish), voxels = whole.substr(352);
+  std::string header = whole.substr(0, 352);
+  header.replace(344, 4, std::string("ni1\0", 4));
+  header.replace(108, 4, std::string(4, '\0'));  // the voxels begin their own file
+  write_text(folder / "v.hdr", header);
+  const auto alone = read_nifti(folder / "v.hdr", {});
+  ASSERT_FALSE(alone);
+  EXPECT_EQ(key_of(alone.error().code), "missing_file");
+  EXPECT_EQ(alone.error().where, "v.img");
+  write_text(folder / "v.img", voxels.substr(2));
+  const auto cut = read_nifti(folder / "v.hdr", {});
+  ASSERT_FALSE(cut);
+  EXPECT_EQ(key_of(cut.error().code), "truncated");
+  EXPECT_EQ(cut.error().where, "v.img");
+  write_text(folder / "v.img", voxels);
+  const auto image = read_nifti(folder / "v.hdr", {});
+  ASSERT_TRUE(image) << key_of(image.error().code) << image.error().where;
+  EXPECT_EQ(value_at(*image, 1, 2, 3), 321.0f);
+}
+
+}  // namespace
+}  // namespace cusp::test
