@@ -151,7 +151,8 @@ def databases(desk):
     with open(desk.path("newer.db"), "rb") as f:
         check(f.read() == before, "a newer database was touched")
     refused(desk, "unknown account", "history", desk.path("good.db"), "list", "--as", "nobody", CUSP_PASSWORD="wrong-password")
-    refused(desk, "broken rubric", "grade", desk.path("good.db"), session, "--rubric", desk.path("text.db"), names=("text.db",))
+    for rubric in (desk.path("text.db"), "/dev/zero"):
+        refused(desk, f"{rubric} as a rubric", "grade", desk.path("good.db"), session, "--rubric", rubric, names=(rubric,))
     with open(desk.path("free.json"), "w", encoding="utf-8") as f:
         f.write('{"pass": 0, "criteria": [], "critical": []}')
     refused(desk, "rubric that validate refuses", "grade", desk.path("good.db"), session, "--rubric", desk.path("free.json"), names=("/rubric",))
@@ -276,10 +277,8 @@ def outputs(desk):
 def unread_pipes(desk):
     """A reader that goes away, as head does, changes neither the work nor the status."""
     listed = desk.path("listed.json")
-    with open(desk.path("unread.obj"), "w", encoding="ascii") as f:
-        f.write("o a\nv 0 0 0\nv 5 0 0\nv 0 5 0\nv 0 0 5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
     for arguments in (("template", "list"), ("template", "list", "--json", "-"), ("play", "--help"), ("--version",),
-                      ("import", desk.path("unread.obj"), "--list", "--json", listed)):
+                      ("import", desk.path("coarse.nrrd"), "--list", "--json", listed)):
         reading, writing = os.pipe()
         os.close(reading)
         done = subprocess.run([desk.cusp, *arguments], stdin=subprocess.DEVNULL, stdout=writing, stderr=subprocess.PIPE, text=True,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 
 #include <nlohmann/json.hpp>
 
@@ -55,7 +54,10 @@ Result<Rubric, Message> read_rubric(const std::string& file, const Scenario& sce
   }
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::unexpected(describe(FormatFailure{FormatError::unreadable, file, {}}));
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  // One byte too many is enough to be refused; a device has no end.
+  std::string text(kMaxScenarioBytes + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
   if (auto canonical = canonical_json(text); !canonical) {
     FormatFailure failure = canonical.error();
     failure.where = file + ':' + failure.where;
