@@ -54,6 +54,9 @@ def passed_over(desk, mesh, labels):
         wrong_usage(desk, f"{other} beside a volume", (labels, other, *tissue, "-o", made), other)
     wrong_usage(desk, "a list into a file", (mesh, "--list", "-o", made), "--output")
     wrong_usage(desk, "a list of tissues", (mesh, "--list", "--tissue", "a=enamel"), "--tissue")
+    failed(desk, "a folder that is not there", (desk.path("scans") + "/", "--list"), "scans")
+    os.mkdir(desk.path("scans"))
+    failed(desk, "a folder without slices", (desk.path("scans") + "/", "--from", "dentine=1200", "-o", made), "scans")
     failed(desk, "a label that is not there", (labels, *tissue, "--tissue", "3=pulp", "-o", made), "3")
     check(not os.path.exists(made), "a refused import left a volume")
 

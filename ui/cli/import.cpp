@@ -269,6 +269,9 @@ void add_import(CLI::App& program, Job& job) {
   o->json.add_to(*verb);
   verb->callback([&job, o, verb] {
     for (const CLI::Option* option : verb->parse_order()) o->typed.push_back(option->get_name());
+    // A shell completes a folder's name with a slash, behind which a path has no name to report.
+    for (std::string& file : o->files)
+      while (file.size() > 1 && file.ends_with('/')) file.pop_back();
     job = [o] { return import_verb(*o); };
   });
 }
