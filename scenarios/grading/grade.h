@@ -58,8 +58,8 @@ struct Grade {
                                           // and an offset of a difference has its faces where they are cut
                                           // 11: nothing is left over a pulp that is gone whole, a step within a metric's range has an
                                           // edge, and a force counts once the proxy has converged
-                                          // 12: the clearance is to the neighbour as it stood, however deep it was cut, and a target
-                                          // whose walls pass midway between voxels is known as well as any other
+                                          // 12: the clearance is to the neighbour as it stood, however deep it was cut; a target whose
+                                          // walls pass midway between voxels is known as well as any other; a hole is a depth
 };
 
 /// In points. Rounding moves a sum of criteria by less than 1e-12; people read tenths of a point. Test:

@@ -31,8 +31,21 @@ class BandedColumn {
     }
     return std::nullopt;
   }
+  /// Where the tissue of a column that has none left ended below; nullopt: it never had any.
+  std::optional<Floor> cut_through(double x, double y) const noexcept {
+    const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
+    double below = 0;
+    for (int k = -1; k < volume_.grid().size.z; ++k) {
+      const double here = solid(Field::base, i, j, k, x - i, y - j);
+      if (here >= 0.0) below = here;
+      else return floor_at(k - here / (here - below));
+    }
+    return std::nullopt;
+  }
 
  private:
+  /// Level, at a height of voxels.
+  Floor floor_at(double z) const noexcept { return {volume_.grid().origin_mm.z + volume_.grid().voxel_mm * z, true, 1.0}; }
   bool may_be_solid(int i, int j, int k) const noexcept {
     for (int c = 0; c < 4; ++c)
       if (volume_.s({i + (c & 1), j + (c >> 1), k}) > 0) return true;
@@ -89,6 +102,13 @@ class FilledColumn {
     return Floor{grid.origin_mm.z + grid.voxel_mm * (k + 0.5), volume_.specimen().s({i, j, k + 1}) > 0,
                  1.0 / std::sqrt(1.0 + slope_x * slope_x + slope_y * slope_y)};
   }
+  std::optional<Floor> cut_through(double x, double y) const noexcept {
+    const int i = static_cast<int>(std::floor(x + 0.5)), j = static_cast<int>(std::floor(y + 0.5));
+    const Grid& grid = volume_.grid();
+    for (int k = 0; k < grid.size.z; ++k)
+      if (volume_.specimen().s({i, j, k}) > 0) return Floor{grid.origin_mm.z + grid.voxel_mm * (k - 0.5), true, 1.0};
+    return std::nullopt;
+  }
 
  private:
   int top(int i, int j) const noexcept {
@@ -122,8 +142,9 @@ std::optional<FloorDepth> over_outline(const Reference& reference, const Volume&
     for (int i = 0; i <= nx; ++i) {
       const Vec2 p = first + step * Vec2(i, j);
       if (shape.upright() != nullptr && shape.outline_mm(p) > -inset) continue;
-      const std::optional<Floor> floor =
-          column.look((p.x - grid.origin_mm.x) / grid.voxel_mm, (p.y - grid.origin_mm.y) / grid.voxel_mm);
+      const Vec2 at_voxel((p.x - grid.origin_mm.x) / grid.voxel_mm, (p.y - grid.origin_mm.y) / grid.voxel_mm);
+      std::optional<Floor> floor = column.look(at_voxel.x, at_voxel.y);
+      if (!floor && shape.upright() != nullptr) floor = column.cut_through(at_voxel.x, at_voxel.y);
       if (!floor || !floor->cut || floor->level < kLevel) continue;
       if (shape.upright() == nullptr && !on_pulpal_floor(shape, {p.x, p.y, floor->z_mm}, inset)) continue;
       const double depth = shape.top_mm() - floor->z_mm;

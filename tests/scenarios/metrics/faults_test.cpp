@@ -10,6 +10,7 @@
 
 #include "scenarios/grading/default_bands.h"
 #include "scenarios/grading/grader.h"
+#include "scenarios/metrics/depth.h"
 #include "scenarios/metrics/measure.h"
 #include "scenarios/shapes/distance.h"
 #include "tests/engine/volume/carved.h"
@@ -93,6 +94,34 @@ class Faults : public testing::Test {
 TEST_F(Faults, ATooDeepFloorLowersTheDepth) {
   const auto deeper = [](double mm) { return of([mm](Outline& t) { t.depth_mm += mm; }); };
   lowers("depth_mean", {deeper(0.25), deeper(0.45), deeper(0.7)});
+}
+
+TEST_F(Faults, ACutRightThroughIsAsDeepAsTheSpecimen) {
+  constexpr double kThick = 3.8;
+  const Shape through = of([](Outline& t) { t.depth_mm = 9.0; });
+  const Grade whole = grade_of(through);
+  ASSERT_TRUE(measure_of(whole, "depth_mean").measured) << "else its points would go to what is left of the rubric";
+  EXPECT_NEAR(measure_of(whole, "depth_mean").value, kThick, measure_of(whole, "depth_mean").uncertainty);
+  EXPECT_EQ(points_of(whole, "depth_mean"), 0.0);
+  // Its distal half alone: as many columns have the one depth as the other.
+  const Shape exact = of([](Outline&) {});
+  const Grade half = grade_of([&](Vec3 p) { return std::min(exact(p), std::max(through(p), -p.x)); });
+  EXPECT_NEAR(measure_of(half, "depth_mean").value, 0.5 * (kDepth + kThick), 0.06);
+}
+
+TEST(FloorDepth, OfAFilledSpecimenThatIsCutThroughIsItsThickness) {
+  Grid grid;
+  grid.size = IVec3(82, 58, 48);
+  grid.origin_mm = Vec3(-4.02, -2.83, -4.17);
+  const auto specimen = carved::specimen(
+      grid, Reading::filled, [](Vec3 p) { return box_distance(p, Vec3(0, 0, -1.9), Vec3(3.5, 2.3, 1.9)); }, [](Vec3) { return Tissue::enamel; });
+  Volume volume(specimen);
+  carved::carve(volume, [](Vec3 p) { return std::max(std::fabs(p.x) - 2.0, std::fabs(p.y) - 1.0); });
+  const Reference reference(class_one_on_36(), specimen);
+  const auto depth = floor_depth(reference, volume);
+  ASSERT_TRUE(depth);
+  EXPECT_NEAR(depth->least_mm, 3.8, reference.point_sigma_mm());
+  EXPECT_EQ(depth->least_mm, depth->most_mm);
 }
 
 TEST_F(Faults, ATooShallowFloorLowersTheDepthAndTheTarget) {
