@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "scenarios/import/foreign_images.h"
+#include "scenarios/import/header_text.h"
 #include "scenarios/import/limit_figures.h"
 
 namespace cusp::scenarios {
@@ -65,10 +66,15 @@ struct Slice {
 std::optional<double> real(DcmItem& set, const DcmTagKey& key, unsigned long at = 0) {
   OFString text;
   if (set.findAndGetOFString(key, text, at).bad() || text.empty()) return std::nullopt;
-  OFBool ok = OFFalse;
-  const double value = OFStandard::atof(text.c_str(), &ok);
-  if (!ok || !std::isfinite(value)) return std::nullopt;
-  return value;
+  // The library's own reader takes the 1 of "1,25" for all of it.
+  const auto value = number(text.c_str());
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+/// Whether there is text, and it is no number.
+bool is_no_number(DcmItem& set, const DcmTagKey& key) {
+  OFString text;
+  return set.findAndGetOFString(key, text).good() && !text.empty() && !real(set, key);
 }
 
 std::optional<Vec3> vector3(DcmItem& set, const DcmTagKey& key, unsigned long from) {
@@ -127,6 +133,8 @@ Result<Slice, ImportFailure> read_slice(const std::filesystem::path& file) {
   }
   out.location_mm = real(set, DCM_SliceLocation);
   out.number = real(set, DCM_InstanceNumber).value_or(0.0);
+  if (is_no_number(set, DCM_RescaleSlope)) return fail(ImportError::bad_header, name + " RescaleSlope");
+  if (is_no_number(set, DCM_RescaleIntercept)) return fail(ImportError::bad_header, name + " RescaleIntercept");
   out.slope = real(set, DCM_RescaleSlope).value_or(1.0);
   out.intercept = real(set, DCM_RescaleIntercept).value_or(0.0);
   if (out.slope == 0.0) return fail(ImportError::bad_header, name + " RescaleSlope");

@@ -65,6 +65,27 @@ TEST_F(Dicom, StoredValuesBecomeCtNumbersSliceBySlice) {
   EXPECT_EQ(ct->image.kind, ImageKind::grey);
 }
 
+TEST_F(Dicom, ANumberWithACommaIsNoneAndNotItsWholePart) {
+  DicomWish wish = slice(0);
+  wish.slope = 2.5;
+  const auto read = [&](const std::string& from, const std::string& to) {
+    std::string bytes = dicom_file(wish);
+    bytes.replace(bytes.find(from), from.size(), to);
+    write_text(folder / "one.dcm", bytes);
+    return read_dicom(folder / "one.dcm", {});
+  };
+  const auto sound = read("2.5 ", "2.5 ");
+  ASSERT_TRUE(sound);
+  EXPECT_TRUE(sound->image.spacing_known);
+  const auto spaced = read("0.3\\0.2", "1,3\\1,2");
+  ASSERT_TRUE(spaced);
+  EXPECT_FALSE(spaced->image.spacing_known);
+  const auto scaled = read("2.5 ", "2,5 ");
+  ASSERT_FALSE(scaled);
+  EXPECT_EQ(key_of(scaled.error().code), "bad_header");
+  EXPECT_EQ(scaled.error().where, "one.dcm RescaleSlope");
+}
+
 TEST_F(Dicom, AMissingOrDoubledSliceIsRefusedWithItsFile) {
   for (int n = 0; n < 6; ++n)
     if (n != 3) put("s" + std::to_string(n), slice(n));
