@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en_US">
 <context>
+    <name>CliText</name>
+    <message>
+        <source>the value is empty</source>
+        <translation>der Wert ist leer</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::AgainstBefore</name>
     <message>
         <source>%1 %2</source>
@@ -281,6 +288,13 @@
     <message>
         <source>It is shown as it is now. What you set here was not kept.</source>
         <translation>Er wird gezeigt, wie er jetzt ist. Was Sie hier eingestellt haben, wurde nicht gespeichert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</source>
+        <translation>
+            <numerusform>%n davon ist trotz ausreichender Punkte wegen eines kritischen Ereignisses nicht bestanden: Das Notenbuch sieht nur die Punkte.</numerusform>
+            <numerusform>%n davon sind trotz ausreichender Punkte wegen eines kritischen Ereignisses nicht bestanden: Das Notenbuch sieht nur die Punkte.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3258,6 +3272,49 @@
     <message>
         <source>%1 has no effect on meshes, only on a volume.</source>
         <translation>%1 wirkt nicht auf Netze, nur auf ein Volumen.</translation>
+    </message>
+    <message>
+        <source>An earlier restore to %1 was interrupted. It is now finished; this backup was not restored.</source>
+        <translation>Eine frühere Wiederherstellung nach %1 wurde unterbrochen. Sie ist jetzt abgeschlossen; diese Sicherung wurde nicht wiederhergestellt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</source>
+        <translation>
+            <numerusform>%n davon ist trotz ausreichender Punkte wegen eines kritischen Ereignisses nicht bestanden: Das Notenbuch sieht nur die Punkte.</numerusform>
+            <numerusform>%n davon sind trotz ausreichender Punkte wegen eines kritischen Ereignisses nicht bestanden: Das Notenbuch sieht nur die Punkte.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 has no effect: --list makes nothing.</source>
+        <translation>%1 bewirkt nichts: --list erzeugt nichts.</translation>
+    </message>
+    <message>
+        <source>%1 would not be read: a volume is imported alone.</source>
+        <translation>%1 würde nicht gelesen: Ein Volumen wird für sich importiert.</translation>
+    </message>
+    <message>
+        <source>%1 is the name of another kind of file: a volume is written as NRRD, or as binvox by its ending.</source>
+        <translation>%1 ist der Name einer anderen Art von Datei: Ein Volumen wird als NRRD geschrieben oder, nach seiner Endung, als binvox.</translation>
+    </message>
+    <message>
+        <source>--silence-every belongs to --device emulated-falcon.</source>
+        <translation>--silence-every gehört zu --device emulated-falcon.</translation>
+    </message>
+    <message>
+        <source>--script and --seed belong to a scripted operator: a person holds this device.</source>
+        <translation>--script und --seed gehören zu einem automatischen Operateur: Dieses Gerät hält ein Mensch.</translation>
+    </message>
+    <message>
+        <source>--seed belongs to a scripted operator, and %1 is none.</source>
+        <translation>--seed gehört zu einem automatischen Operateur, und %1 ist keiner.</translation>
+    </message>
+    <message>
+        <source>%1 has no effect on %2.</source>
+        <translation>%1 wirkt nicht auf %2.</translation>
+    </message>
+    <message>
+        <source>%1 has no effect on a tooth of plastic: it has no carious lesion.</source>
+        <translation>%1 wirkt nicht auf einen Zahn aus Kunststoff: Er hat keine kariöse Läsion.</translation>
     </message>
 </context>
 <context>
@@ -6509,6 +6566,10 @@
         <source>The file does not name the directions of its axes: the specimen may be the mirror image of the tooth. Compare them.</source>
         <translation>Die Datei nennt die Richtungen ihrer Achsen nicht: Das Präparat kann das Spiegelbild des Zahns sein. Vergleichen Sie beide.</translation>
     </message>
+    <message>
+        <source>%1 was wound inside out, as a mirrored copy is: the specimen may be the mirror image of the tooth. Compare them.</source>
+        <translation>%1 war nach innen gewendet wie eine gespiegelte Kopie: Das Präparat kann das Spiegelbild des Zahns sein. Vergleichen Sie beide.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::InterruptedCard</name>
@@ -7441,6 +7502,18 @@
         <source>%1 was not written. What was there before is unchanged.</source>
         <translation>%1 wurde nicht geschrieben. Was vorher da war, ist unverändert.</translation>
     </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>The entries could not be read.</source>
+        <translation>Die Einträge konnten nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Older entries are not shown: they could not be read.</source>
+        <translation>Ältere Einträge sind nicht angezeigt: Sie konnten nicht gelesen werden.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::MarkingCard</name>
@@ -8126,6 +8199,10 @@
     <message>
         <source>The pedal is back where it rested. If it is down, it was pressed at the first step: cancel, and calibrate again.</source>
         <translation>Das Pedal steht wieder in seiner Ruhelage. Wenn es durchgetreten ist, war es beim ersten Schritt gedrückt: Brechen Sie ab und kalibrieren Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 was down at the first step. If the foot was on the pedal, cancel and calibrate again.</source>
+        <translation>%1 war beim ersten Schritt gedrückt. Wenn der Fuß auf dem Pedal stand, brechen Sie ab und kalibrieren Sie noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -8839,6 +8916,18 @@
             <numerusform>%n Versuch</numerusform>
             <numerusform>%n Versuche</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Older attempts are not shown: they could not be read.</source>
+        <translation>Ältere Versuche sind nicht angezeigt: Sie konnten nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The attempts could not be read.</source>
+        <translation>Die Versuche konnten nicht gelesen werden.</translation>
     </message>
 </context>
 <context>
@@ -11031,6 +11120,10 @@ Ihr bester davor</translation>
     <message>
         <source>The force is off and the clock stands still. Plug it in again where it was, then resume.</source>
         <translation>Die Kraft ist aus und die Uhr steht. Am selben Anschluss wieder anschließen, dann fortsetzen.</translation>
+    </message>
+    <message>
+        <source>Plug in the same Falcon: it has no serial number of its own, and another one at its USB port would be taken for it.</source>
+        <translation>Schließen Sie denselben Falcon an: Er hat keine eigene Seriennummer, und ein anderer an seinem USB-Anschluss würde für ihn gehalten.</translation>
     </message>
 </context>
 <context>

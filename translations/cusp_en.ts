@@ -48,6 +48,13 @@
             <numerusform>%n wait for release.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</source>
+        <translation>
+            <numerusform>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</numerusform>
+            <numerusform>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssignmentForm</name>
@@ -182,6 +189,13 @@
         <translation>
             <numerusform>%1: %2 instead of %3 point, changed by %4: %5</numerusform>
             <numerusform>%1: %2 instead of %3 points, changed by %4: %5</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</source>
+        <translation>
+            <numerusform>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</numerusform>
+            <numerusform>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</numerusform>
         </translation>
     </message>
 </context>
