@@ -60,8 +60,17 @@ def empty_values(desk):
     check(not os.path.exists(desk.path("empty")) and not os.path.exists(desk.path("fitted")), "what was refused was written")
 
 
+def no_stdout(desk):
+    """What never goes to stdout makes no file of the name -."""
+    for verb, option in ((("specimen", "block"), "--output"), (("import", desk.small_script(1)), "--output"), (("replay", "x.db", SESSION), "--volume"),
+                         (("audit", desk.small_exercise(), "--apply"), "--out")):
+        wrong_usage(desk, (*verb, option, "-"), option, "file")
+    check(not os.path.exists("-"), "a file of the name - was written")
+
+
 with Desk(sys.argv[1]) as the_desk:
     replays(the_desk)
     specimens(the_desk)
     plays(the_desk)
     empty_values(the_desk)
+    no_stdout(the_desk)

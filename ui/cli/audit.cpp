@@ -162,7 +162,7 @@ void add_audit(CLI::App& program, Job& job) {
       ->capture_default_str();
   verb->add_flag("--detail", o->detail, help(CliText::tr("Only the size of the voxels: minutes, between neighbouring teeth hours")));
   verb->add_flag("--apply", o->apply, help(CliText::tr("Write the leanest into the scenario, as its next version")));
-  verb->add_option("-o,--out", o->out, help(CliText::tr("With --apply: write a copy there")))->type_name("FILE")->check(check_not_empty);
+  verb->add_option("-o,--out", o->out, help(CliText::tr("With --apply: write a copy there")))->type_name("FILE")->check(check_file_name);
   verb->add_flag("--progress", o->progress, help(CliText::tr("Print how far it is to stderr")));
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return audit_verb(*o); }; });

@@ -141,7 +141,7 @@ void add_replay(CLI::App& program, Job& job) {
   verb->add_option("SESSION", o->session, help(CliText::tr("The session's id")))->required();
   verb->add_option("--volume", o->volume, help(CliText::tr("Write the tooth as it is then (NRRD)")))
       ->type_name("FILE")
-      ->check(check_not_empty)
+      ->check(check_file_name)
       ->excludes(verify);
   o->account.add_to(*verb);
   o->json.add_to(*verb);

@@ -113,7 +113,7 @@ void add_specimen(CLI::App& program, Job& job) {
                                      "softness from 0 to 1")))
       ->type_name("KIND:SITE:RADIUS:DEPTH:SOFTNESS")
       ->check([](const std::string& text) { return lesion_of(text) ? std::string() : text; });
-  verb->add_option("-o,--output", o->out, help(CliText::tr("Volume to write (NRRD)")))->type_name("VOLUME")->required();
+  verb->add_option("-o,--output", o->out, help(CliText::tr("Volume to write (NRRD)")))->type_name("VOLUME")->required()->check(check_file_name);
   o->json.add_to(*verb);
   verb->callback([&job, o, verb] {
     for (const CLI::Option* option : verb->parse_order()) o->typed.push_back(option->get_name());

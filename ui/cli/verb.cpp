@@ -92,6 +92,10 @@ std::string check_counting(const std::string& typed) {
 
 std::string check_not_empty(const std::string& typed) { return typed.empty() ? help(CliText::tr("the value is empty")) : std::string(); }
 
+std::string check_file_name(const std::string& typed) {
+  return typed == "-" ? help(CliText::tr("it is written to a file, and - is none")) : check_not_empty(typed);
+}
+
 void print_line(const std::string& line) { write_out(line + '\n'); }
 
 void JsonOption::add_to(CLI::App& verb) {

@@ -101,5 +101,7 @@ std::string check_whole(const std::string& typed);         // a whole number fro
 std::string check_counting(const std::string& typed);      // a whole number from 1 to 2^64 - 1
 /// Not empty, as a variable of a shell that is not set: an empty name would count as none, and other records or files be taken.
 std::string check_not_empty(const std::string& typed);
+/// Neither empty nor -, of what is never written to stdout.
+std::string check_file_name(const std::string& typed);
 
 }  // namespace cusp::ui
