@@ -35,6 +35,8 @@ std::optional<Number> number_typed(const std::string& typed) {
 }
 
 QString shown_typed(const std::string& typed) { return QString::fromStdString(typed); }
+QString value_is_empty() { return CliText::tr("the value is empty"); }
+QString no_file_name() { return CliText::tr("it is written to a file, and - is none"); }
 QString no_number_from_0(const QString& typed) { return CliText::tr("%1 is no number from 0 on").arg(typed); }
 QString no_number_above_0(const QString& typed) { return CliText::tr("%1 is no number above 0").arg(typed); }
 QString no_whole_number_from_0(const QString& typed) { return CliText::tr("%1 is no whole number from 0 on").arg(typed); }
@@ -90,10 +92,14 @@ std::string check_counting(const std::string& typed) {
   return help(no_whole_number_from_1(shown_typed(typed)));
 }
 
-std::string check_not_empty(const std::string& typed) { return typed.empty() ? help(CliText::tr("the value is empty")) : std::string(); }
+std::string check_not_empty(const std::string& typed) {
+  if (!typed.empty()) return {};
+  return help(value_is_empty());
+}
 
 std::string check_file_name(const std::string& typed) {
-  return typed == "-" ? help(CliText::tr("it is written to a file, and - is none")) : check_not_empty(typed);
+  if (typed != "-") return check_not_empty(typed);
+  return help(no_file_name());
 }
 
 void print_line(const std::string& line) { write_out(line + '\n'); }
