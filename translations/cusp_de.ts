@@ -2,13 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en_US">
 <context>
-    <name>CliText</name>
-    <message>
-        <source>the value is empty</source>
-        <translation>der Wert ist leer</translation>
-    </message>
-</context>
-<context>
     <name>cusp::ui::AgainstBefore</name>
     <message>
         <source>%1 %2</source>
@@ -3315,6 +3308,14 @@
     <message>
         <source>%1 has no effect on a tooth of plastic: it has no carious lesion.</source>
         <translation>%1 wirkt nicht auf einen Zahn aus Kunststoff: Er hat keine kariöse Läsion.</translation>
+    </message>
+    <message>
+        <source>the value is empty</source>
+        <translation>der Wert ist leer</translation>
+    </message>
+    <message>
+        <source>it is written to a file, and - is none</source>
+        <translation>es wird in eine Datei geschrieben, und - ist keine</translation>
     </message>
 </context>
 <context>

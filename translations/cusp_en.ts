@@ -51,8 +51,8 @@
     <message numerus="yes">
         <source>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</source>
         <translation>
-            <numerusform>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</numerusform>
-            <numerusform>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</numerusform>
+            <numerusform>%n of them failed by a critical event, though its points would pass: the gradebook sees the points alone.</numerusform>
+            <numerusform>%n of them failed by a critical event, though their points would pass: the gradebook sees the points alone.</numerusform>
         </translation>
     </message>
 </context>
@@ -194,8 +194,8 @@
     <message numerus="yes">
         <source>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</source>
         <translation>
-            <numerusform>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</numerusform>
-            <numerusform>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</numerusform>
+            <numerusform>%n of them failed by a critical event, though its points would pass: the gradebook sees the points alone.</numerusform>
+            <numerusform>%n of them failed by a critical event, though their points would pass: the gradebook sees the points alone.</numerusform>
         </translation>
     </message>
 </context>
