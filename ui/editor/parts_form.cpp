@@ -93,6 +93,7 @@ void PartsForm::make_list(QVBoxLayout* column) {
   list_->setRootIsDecorated(false);
   list_->setItemsExpandable(false);
   list_->setUniformRowHeights(true);
+  list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);  // else it claims height that goes to its title
   column->addWidget(list_);
   connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     PartPath path;

@@ -1,6 +1,9 @@
 // A target that is a tree of shapes: each is chosen, changed, added and removed, and nothing of it is lost.
 #include <QTest>
+#include <QApplication>
+#include <QLabel>
 #include <QTreeWidget>
+#include <algorithm>
 
 #include "tests/scenarios/regions.h"
 #include "tests/ui/editor/editor_pages.h"
@@ -104,6 +107,21 @@ TEST_F(ComposedTarget, a_shape_is_added_beside_the_chosen_one_and_removed_again)
   EXPECT_FALSE(model.remove_part()) << "a target keeps its last shape";
   while (model.stack().canUndo()) model.stack().undo();
   EXPECT_EQ(model.scenario().target, drawn);
+}
+
+TEST_F(ComposedTarget, a_short_list_stands_right_below_its_title_in_a_tall_window) {
+  EditorStart start;
+  start.draft = *load_builtin("channel-1");
+  const auto page = open(start);
+  page->resize(1920, 1400);
+  page->show();
+  QApplication::processEvents();
+  const auto* list = named<QTreeWidget>(*page, "Shapes of the target");
+  const auto labels = list->parentWidget()->findChildren<QLabel*>();
+  const auto title = std::find_if(labels.begin(), labels.end(), [](const QLabel* l) { return l->text() == QStringLiteral("Shapes of the target"); });
+  ASSERT_NE(title, labels.end());
+  EXPECT_EQ((*title)->height(), (*title)->sizeHint().height());
+  EXPECT_LT(list->y() - (*title)->geometry().bottom(), px(14));
 }
 
 TEST_F(ComposedTarget, undo_of_the_chosen_shape_chooses_what_holds_it) {
