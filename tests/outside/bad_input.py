@@ -68,6 +68,7 @@ def scenarios(desk):
     for script in (desk.folder, "/dev/zero"):
         refused(desk, f"{script} as a script", "play", "channel-1", "--script", script, "--db", desk.path("s.db"), "--out", desk.path("o"),
                 names=(script, "cannot be read"))
+    refused(desk, "a device without an end as a pack", "verify", "/dev/zero", names=("/dev/zero", "cannot be read"))
     with open(desk.path("bad.csv"), "w", encoding="utf-8") as f:
         f.write("elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal\n1000,0,0,zero,0,0,0,32767,0,0\n")
     refused(desk, "broken script", "play", desk.small_exercise(), "--script", desk.path("bad.csv"), "--db", desk.path("s.db"),

@@ -50,10 +50,16 @@ Message cannot_write_pack(const QString& file, const QString& why) {
   return {PackText::tr("%1 cannot be written: %2.").arg(file, why), PackText::tr("The attempt and its grade are kept.")};
 }
 
-std::optional<std::string> bytes_of(const fs::path& path, qint64 most) {
+/// nullopt: unreadable, or longer than `most`. A device has no end, and its size is 0.
+std::optional<std::string> bytes_of(const fs::path& path, std::size_t most) {
+  constexpr qint64 kBlock = 1 << 20;
   QFile file(QString::fromStdString(path.string()));
-  if (!file.open(QIODevice::ReadOnly) || file.size() > most) return std::nullopt;
-  return file.readAll().toStdString();
+  if (!file.open(QIODevice::ReadOnly) || file.size() > static_cast<qint64>(most)) return std::nullopt;
+  std::string out;
+  for (QByteArray block = file.read(kBlock); !block.isEmpty() && out.size() <= most; block = file.read(kBlock))
+    out.append(block.constData(), static_cast<std::size_t>(block.size()));
+  if (out.size() > most || file.error() != QFileDevice::NoError) return std::nullopt;
+  return out;
 }
 
 Result<void, QString> write_bytes(const fs::path& path, std::string_view bytes, const std::function<bool()>& before_named = {}) {
