@@ -4,6 +4,7 @@
 #pragma once
 
 #include "engine/base/haptic_port.h"
+#include "engine/step/input.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
@@ -14,15 +15,14 @@ class HeldCut {
 
   /// Each sample of the device in order, before the loop reads it.
   void take(Sample& sample, Attempt attempt) noexcept {
-    const bool pressed = (sample.buttons & kCut) != 0;
+    const bool pressed = (sample.buttons & StepInput::kCut) != 0;
     if (!pressed || attempt == Attempt::stands) held_ = pressed;
     if (!held_) return;
-    sample.buttons &= static_cast<std::uint16_t>(~kCut);
+    sample.buttons &= static_cast<std::uint16_t>(~StepInput::kCut);
     sample.pedal = 0;
   }
 
  private:
-  static constexpr std::uint16_t kCut = 1;  // of Sample::buttons
   bool held_ = false;
 };
 
