@@ -57,7 +57,7 @@ class SurfaceContact {
     gathered_.valid = false;
   }
 
-  /// The same of voxels low..high, inclusive, for a change too large to resolve at once: its parts stay unresolved until resolve() reaches them.
+  /// The same of voxels low..high, inclusive: a change too large to resolve at once. Its parts wait for resolve().
   void changed_unresolved(const Volume& volume, IVec3 low, IVec3 high) noexcept {
     cut_.changed_unresolved(volume, low, high);
     walls_.changed(volume, low, high);

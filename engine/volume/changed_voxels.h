@@ -12,7 +12,7 @@ struct ChangedVoxels {
   IVec3 low{0}, high{0};        // box about them, inclusive
   std::uint64_t slice[8] = {};  // a bit each, as in brick_offset()
 
-  /// `row`: the voxels of a row of the brick, x from bit 0. Pre: low and high are set by close() afterwards.
+  /// `row`: the voxels of a row of the brick, x from bit 0. The box is not valid before close().
   void add_row(int y, int z, unsigned row) noexcept { slice[z] |= static_cast<std::uint64_t>(row) << (8 * y); }
   /// Sets the box of what was added; `corner`: the brick's first voxel. False if nothing was.
   bool close(IVec3 corner) noexcept {

@@ -21,8 +21,8 @@ namespace {
 
 constexpr int kWidth = 560, kMostListHeight = 168;  // px at 100 %; longer lists scroll
 constexpr int kSide = 24, kLeastHeight = 96;        // px at 100 %; of all above the buttons
-constexpr int kAroundTheText = 104;                   // px at 100 %, of margins and buttons
-constexpr double kSheetShare = 0.95;
+constexpr int kAroundTheText = 104;                 // px at 100 %, of margins and buttons
+constexpr double kSheetShare = 0.95;                // of the screen's height, as of the template dialog: the rest is its frame
 
 QLabel* line(const QString& text, const char* ink = "") {
   QLabel* label = make_label(text, TextRole::body, Weight::regular, ink);
