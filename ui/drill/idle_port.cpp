@@ -7,12 +7,8 @@ namespace cusp::ui {
 Sample IdlePort::wait(std::chrono::steady_clock::time_point deadline) noexcept {
   Sample sample = port_.wait(deadline);
   const bool idle = idle_.load(std::memory_order_acquire);
-  if (idle) {
-    sample.buttons &= static_cast<std::uint16_t>(~StepInput::kCut);
-    sample.pedal = 0;
-  } else if (was_idle_) {
-    sample.buttons |= StepInput::kRearm;
-  }
+  held_.take(sample, idle ? HeldCut::Attempt::stands : HeldCut::Attempt::runs);
+  if (!idle && was_idle_) sample.buttons |= StepInput::kRearm;
   was_idle_ = idle;
   return sample;
 }

@@ -7,6 +7,7 @@
 
 #include "device/hid/pedalled_port.h"
 #include "ui/modules.h"
+#include "ui/session/held_cut.h"
 
 namespace cusp::ui {
 
@@ -15,7 +16,8 @@ class IdlePort final : public HapticPort {
   /// `pedal` may be null.
   IdlePort(std::unique_ptr<HapticPort> port, std::shared_ptr<const PedalSource> pedal) : device_(std::move(port)), port_(*device_, std::move(pedal)) {}
 
-  /// Any thread. The first sample after `false` re-arms: the force ramps in, as after a pause.
+  /// Any thread. The first sample after `false` re-arms: the force ramps in, as after a pause, and a cut that is held counts once it
+  /// was released.
   void set_idle(bool on) noexcept { idle_.store(on, std::memory_order_release); }
 
   Result<void, PortFailure> open() override { return port_.open(); }
@@ -29,7 +31,9 @@ class IdlePort final : public HapticPort {
   std::unique_ptr<HapticPort> device_;
   PedalledPort port_;
   std::atomic<bool> idle_{false};
-  bool was_idle_ = false;  // in the sample before; haptic thread
+  // The haptic thread's.
+  HeldCut held_;
+  bool was_idle_ = false;  // in the sample before
 };
 
 }  // namespace cusp::ui

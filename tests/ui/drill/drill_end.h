@@ -26,6 +26,7 @@ inline constexpr int kShownWithinMs = 500;  // five looks between two of which t
 /// What a device in the hand of a test sees and shows; the port reads it on the haptic thread.
 struct Hand {
   std::atomic<bool> plugged{true};
+  std::atomic<bool> pressed{true};  // its button
   std::atomic<bool> stuck{false};  // its driver does not come back
   std::atomic<bool> open{false};
   std::shared_ptr<Gate> opens{};   // its driver comes back from open() when this gate opens; null: at once
@@ -33,7 +34,7 @@ struct Hand {
   std::atomic<int> ticks{0};
 };
 
-/// Its button is pressed. It sinks through the channel of "channel-1" at 1 mm/s, so that it cuts for some seconds.
+/// Its button is pressed until a test releases it. It sinks through the channel of "channel-1" at 1 mm/s, so that it cuts for some seconds.
 class SinkingPort final : public HapticPort {
  public:
   explicit SinkingPort(std::shared_ptr<Hand> hand) : hand_(std::move(hand)) {}
@@ -48,7 +49,11 @@ class SinkingPort final : public HapticPort {
     hand_->stuck.wait(true);
     if (!hand_->plugged) return {};
     depth_mm_ = std::min(depth_mm_ + 0.001, 6.0);
-    return {.status = Sample::Status::fresh, .position_mm = {0, 0, kStartMm - depth_mm_}, .buttons = 1, .pedal = 65535};
+    const bool pressed = hand_->pressed;
+    return {.status = Sample::Status::fresh,
+            .position_mm = {0, 0, kStartMm - depth_mm_},
+            .buttons = static_cast<std::uint16_t>(pressed ? 1 : 0),
+            .pedal = static_cast<std::uint16_t>(pressed ? 65535 : 0)};
   }
   bool over() const noexcept override { return false; }
   void write(const Feedback& feedback) noexcept override { hand_->force_n = glm::length(feedback.force_n); }

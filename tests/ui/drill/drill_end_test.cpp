@@ -132,6 +132,12 @@ TEST_F(DrillEnd, an_open_question_of_an_assessment_takes_cut_and_force_off_and_l
   EXPECT_EQ(removed(), cut);
   EXPECT_EQ(hand->force_n, 0);
   answer(false);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return hand->force_n > 0; }, kComesWithinMs));
+  let_it_run();
+  EXPECT_EQ(removed(), cut) << "its button is down since before the question";
+  hand->pressed = false;
+  let_it_run();
+  hand->pressed = true;
   EXPECT_TRUE(QTest::qWaitFor([&] { return removed() > cut && hand->force_n > 0; }, kComesWithinMs));
 }
 

@@ -9,16 +9,19 @@
 namespace cusp::test {
 namespace {
 
-/// A hand that presses the button and wants the coolant, and what its device last got.
+/// A hand that presses the button, until the test releases it, and wants the coolant, and what its device last got.
 class PressedPort final : public HapticPort {
  public:
   Result<void, PortFailure> open() override { return {}; }
   Sample wait(std::chrono::steady_clock::time_point) noexcept override {
-    return {.status = Sample::Status::fresh, .buttons = StepInput::kCut | StepInput::kCoolant, .pedal = 40'000};
+    const auto cut = pressed ? StepInput::kCut : std::uint16_t{0};
+    const auto pedal = pressed ? std::uint16_t{40'000} : std::uint16_t{0};
+    return {.status = Sample::Status::fresh, .buttons = static_cast<std::uint16_t>(cut | StepInput::kCoolant), .pedal = pedal};
   }
   void write(const Feedback& feedback) noexcept override { got = feedback; }
   DeviceLimits limits() const override { return {}; }
   void close() noexcept override {}
+  bool pressed = true;
   Feedback got;
 };
 
@@ -74,6 +77,25 @@ TEST(IdlePort, GivesNoForceBeforeTheSampleThatRearms) {
   EXPECT_NE(port.wait({}).buttons & StepInput::kRearm, 0);
   port.write({.force_n = {0, 0, 2}});
   EXPECT_EQ(pressed.device.got.force_n, Vec3(0, 0, 2));
+}
+
+TEST(IdlePort, ACutThatIsHeldOverTheQuestionCountsOnlyOnceItWasReleased) {
+  Pressed pressed;
+  IdlePort& port = pressed.port;
+  port.set_idle(true);
+  port.wait({});
+  port.set_idle(false);
+  for (int i = 0; i < 1000; ++i) {  // longer than the force ramps in
+    const Sample held = port.wait({});
+    ASSERT_EQ(held.buttons & StepInput::kCut, 0);
+    ASSERT_EQ(held.pedal, 0);
+  }
+  pressed.device.pressed = false;
+  port.wait({});
+  pressed.device.pressed = true;
+  const Sample anew = port.wait({});
+  EXPECT_NE(anew.buttons & StepInput::kCut, 0);
+  EXPECT_EQ(anew.pedal, 40'000);
 }
 
 TEST(IdlePort, TakesTheCutOffThePedalToo) {

@@ -44,6 +44,16 @@ TEST(HeldCut, AReleaseWhileTheAttemptStandsCounts) {
   EXPECT_EQ(taken(held, pressed(), Attempt::runs).buttons, 3);
 }
 
+TEST(HeldCut, APedalThatIsDownWithoutAButtonIsHeldToo) {
+  Sample pedal = released();
+  pedal.pedal = 30000;
+  HeldCut held;
+  EXPECT_EQ(taken(held, pedal, Attempt::stands).pedal, 0);
+  EXPECT_EQ(taken(held, pedal, Attempt::runs).pedal, 0) << "a handpiece turns by the pedal alone";
+  taken(held, released(), Attempt::runs);
+  EXPECT_EQ(taken(held, pedal, Attempt::runs).pedal, 30000);
+}
+
 TEST(HeldCut, ADeviceThatIsFoundAgainWithItsButtonPressedDoesNotCut) {
   HeldCut held;
   taken(held, pressed(), Attempt::runs);
