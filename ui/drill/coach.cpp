@@ -22,7 +22,9 @@ bool stands_still(const LiveView& live) noexcept {
 }
 
 CoachLine coach(const LiveView& live, const TargetShape& shape, const Leeway& leeway, double bur_radius_mm) {
-  if (shape.empty() || stands_still(live)) return {Coach::quiet, 0};
+  if (stands_still(live)) return {Coach::quiet, 0};
+  if (live.cut_ignored) return {Coach::held_cut, 0};
+  if (shape.empty()) return {Coach::quiet, 0};
   double removed = 0;
   for (const double mm3 : live.removed_mm3) removed += mm3;
   if (live.pulp_exposed) return {Coach::pulp_open, 0};
@@ -53,6 +55,7 @@ CoachTone tone_of(const CoachLine& line, const Leeway& leeway) noexcept {
     case Coach::sideways:
     case Coach::finish:
     case Coach::carry_on:
+    case Coach::held_cut:
     case Coach::quiet: break;
   }
   return CoachTone::good;

@@ -22,6 +22,7 @@ enum class Coach : std::uint8_t {
   sideways,      // the floor is reached here
   finish,        // hardly anything is left
   carry_on,      // lifted
+  held_cut,      // a cut is held that counts for nothing: in an assessment and without a target, too
   quiet,         // no target, or the attempt stands: no message
 };
 

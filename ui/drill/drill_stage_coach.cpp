@@ -62,6 +62,7 @@ QString DrillStage::coach_text(const CoachLine& line) const {
     case Coach::sideways: return tr("Deep enough, move sideways");
     case Coach::finish: return tr("Nearly all is out: smooth it, then finish");
     case Coach::carry_on: return tr("Continue where the target remains");
+    case Coach::held_cut: return tr("Release button or pedal, then press again");
     case Coach::quiet: return {};
   }
   return {};

@@ -8,6 +8,7 @@ Sample IdlePort::wait(std::chrono::steady_clock::time_point deadline) noexcept {
   Sample sample = port_.wait(deadline);
   const bool idle = idle_.load(std::memory_order_acquire);
   held_.take(sample, idle ? HeldCut::Attempt::stands : HeldCut::Attempt::runs);
+  ignores_cut_.store(!idle && held_.ignores(), std::memory_order_release);
   if (!idle && was_idle_) sample.buttons |= StepInput::kRearm;
   was_idle_ = idle;
   return sample;

@@ -20,6 +20,9 @@ class IdlePort final : public HapticPort {
   /// was released.
   void set_idle(bool on) noexcept { idle_.store(on, std::memory_order_release); }
 
+  /// Any thread. Whether a cut is held, since a question that is over, that counts for nothing.
+  bool ignores_cut() const noexcept { return ignores_cut_.load(std::memory_order_acquire); }
+
   Result<void, PortFailure> open() override { return port_.open(); }
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override;
   bool over() const noexcept override { return port_.over(); }
@@ -30,7 +33,7 @@ class IdlePort final : public HapticPort {
  private:
   std::unique_ptr<HapticPort> device_;
   PedalledPort port_;
-  std::atomic<bool> idle_{false};
+  std::atomic<bool> idle_{false}, ignores_cut_{false};
   // The haptic thread's.
   HeldCut held_;
   bool was_idle_ = false;  // in the sample before

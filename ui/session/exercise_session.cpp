@@ -78,11 +78,16 @@ class WatchingPort final : public HapticPort {
     if (phase == LoopPhase::running) stalled_.store(stood, std::memory_order_release);
     before_ = now;
     const bool stands = phase == LoopPhase::paused || phase == LoopPhase::held;
-    if (held_) held_->take(sample, stands ? HeldCut::Attempt::stands : HeldCut::Attempt::runs);
+    if (held_) {
+      held_->take(sample, stands ? HeldCut::Attempt::stands : HeldCut::Attempt::runs);
+      ignores_cut_.store(held_->ignores(), std::memory_order_release);
+    }
     return sample;
   }
   /// Any thread. Whether a stall has paused the loop since it ran last.
   bool stalled() const noexcept { return stalled_.load(std::memory_order_acquire); }
+  /// Any thread. Whether a cut is held that counts for nothing.
+  bool ignores_cut() const noexcept { return ignores_cut_.load(std::memory_order_acquire); }
   bool over() const noexcept override { return port_.over(); }
   void write(const Feedback& feedback) noexcept override { port_.write(feedback); }
   DeviceLimits limits() const override { return port_.limits(); }
@@ -93,7 +98,7 @@ class WatchingPort final : public HapticPort {
   HapticLoop* loop_ = nullptr;
   std::optional<HeldCut> held_;
   std::optional<std::chrono::steady_clock::time_point> before_;  // end of the wait() before
-  std::atomic<bool> stalled_{false};
+  std::atomic<bool> stalled_{false}, ignores_cut_{false};
 };
 }  // namespace
 
@@ -304,6 +309,7 @@ LiveView ExerciseSession::view() const {
     view.fault = Fault::late;
   }
   view.device = latest.device;
+  view.cut_ignored = in.driven->watching.ignores_cut();
   const bool alive = latest.phase != LoopPhase::ready && latest.phase != LoopPhase::ended;
   view.silent = alive && in.loop().silence() > kSilent;
   view.wanted_bur = latest.wanted_bur;

@@ -22,6 +22,9 @@ class HeldCut {
     sample.pedal = 0;
   }
 
+  /// Whether the cut of the newest sample counts for nothing.
+  bool ignores() const noexcept { return held_; }
+
  private:
   bool held_ = false;
 };

@@ -39,6 +39,7 @@ struct LiveView {
   Fault fault = Fault::none;
   Sample::Status device = Sample::Status::fresh;
   bool silent = false;                  // no tick for a second: the device's driver stands still, paused or not; afterwards it is held
+  bool cut_ignored = false;             // a cut is held that counts for nothing until it was released (held_cut.h)
   double push_n = 0;                    // length of the force before the guard
   double seconds = 0;                   // session time: stands still while paused
   bool time_is_up = false;              // the scenario's time limit is reached: the session is held for good

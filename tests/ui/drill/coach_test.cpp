@@ -129,6 +129,15 @@ TEST(Coach, of_a_place_that_the_bur_has_left_it_shows_nothing) {
   EXPECT_EQ(coach(live, slot(), kLeeway, kRadius).what, Coach::pulp_open);
 }
 
+TEST(Coach, a_cut_that_counts_for_nothing_comes_before_all_else_and_needs_no_target) {
+  LiveView live = drilling({0, 0.7, -1.9}, kRadius);
+  live.pulp_exposed = live.cut_ignored = true;
+  EXPECT_EQ(coach(live, slot(), kLeeway, kRadius).what, Coach::held_cut);
+  EXPECT_EQ(coach(live, TargetShape(Region{}), kLeeway, kRadius).what, Coach::held_cut);
+  live.phase = LoopPhase::paused;
+  EXPECT_EQ(coach(live, slot(), kLeeway, kRadius).what, Coach::quiet) << "first comes Resume";
+}
+
 TEST(Coach, while_the_attempt_stands_or_its_device_is_gone_it_is_quiet) {
   for (const LoopPhase phase : {LoopPhase::paused, LoopPhase::held}) {
     LiveView live = drilling({0, 0, -2.9}, kRadius);
@@ -148,7 +157,7 @@ TEST(Coach, below_the_floor_is_worth_a_look_within_the_leeway_and_wrong_beyond_i
   EXPECT_EQ(tone_of({Coach::outside, 0.4}, kLeeway), CoachTone::bad);
   EXPECT_EQ(tone_of({Coach::pulp_open, 0}, kLeeway), CoachTone::bad);
   EXPECT_EQ(tone_of({Coach::over_pulp, 0.4}, kLeeway), CoachTone::look);
-  for (const Coach good : {Coach::begin, Coach::deeper, Coach::sideways, Coach::finish, Coach::carry_on, Coach::quiet}) {
+  for (const Coach good : {Coach::begin, Coach::deeper, Coach::sideways, Coach::finish, Coach::carry_on, Coach::held_cut, Coach::quiet}) {
     EXPECT_EQ(tone_of({good, 0.6}, kLeeway), CoachTone::good);
   }
 }

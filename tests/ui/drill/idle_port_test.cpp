@@ -84,14 +84,17 @@ TEST(IdlePort, ACutThatIsHeldOverTheQuestionCountsOnlyOnceItWasReleased) {
   IdlePort& port = pressed.port;
   port.set_idle(true);
   port.wait({});
+  EXPECT_FALSE(port.ignores_cut()) << "nobody is to release it under the question";
   port.set_idle(false);
   for (int i = 0; i < 1000; ++i) {  // longer than the force ramps in
     const Sample held = port.wait({});
     ASSERT_EQ(held.buttons & StepInput::kCut, 0);
     ASSERT_EQ(held.pedal, 0);
+    ASSERT_TRUE(port.ignores_cut());
   }
   pressed.device.pressed = false;
   port.wait({});
+  EXPECT_FALSE(port.ignores_cut());
   pressed.device.pressed = true;
   const Sample anew = port.wait({});
   EXPECT_NE(anew.buttons & StepInput::kCut, 0);

@@ -51,6 +51,7 @@ TEST(DeviceInSession, AButtonThatIsHeldOverAPauseCutsOnlyOnceItWasReleased) {
     return eventually([&] { return session.view().shown_tick > until; });
   };
   ASSERT_TRUE(eventually([&] { return removed() > 0; }));
+  EXPECT_FALSE(session.view().cut_ignored);
   session.pause();
   ASSERT_TRUE(eventually([&] { return session.view().phase == LoopPhase::paused; }));
   session.resume();
@@ -58,8 +59,10 @@ TEST(DeviceInSession, AButtonThatIsHeldOverAPauseCutsOnlyOnceItWasReleased) {
   const double before = removed();
   ASSERT_TRUE(run_on());
   EXPECT_EQ(removed(), before) << "its button is down since before the pause";
+  EXPECT_TRUE(session.view().cut_ignored);
   port.pressed = false;
   ASSERT_TRUE(run_on());
+  EXPECT_FALSE(session.view().cut_ignored);
   port.pressed = true;
   EXPECT_TRUE(eventually([&] { return removed() > before; }));
   const auto result = session.finish();

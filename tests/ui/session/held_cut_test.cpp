@@ -21,6 +21,7 @@ TEST(HeldCut, APressWhileTheAttemptRunsCutsAtOnce) {
   HeldCut held;
   EXPECT_EQ(taken(held, pressed(30000), Attempt::runs).buttons, 3);
   EXPECT_EQ(taken(held, pressed(30000), Attempt::runs).pedal, 30000);
+  EXPECT_FALSE(held.ignores());
 }
 
 TEST(HeldCut, APressThatIsHeldWhileTheAttemptStandsCutsOnlyOnceItWasReleased) {
@@ -32,8 +33,10 @@ TEST(HeldCut, APressThatIsHeldWhileTheAttemptStandsCutsOnlyOnceItWasReleased) {
     ASSERT_EQ(sample.buttons, 2) << "the coolant's button stays";
     ASSERT_EQ(sample.pedal, 0);
     ASSERT_EQ(sample.position_mm, Vec3(1, 2, 3));
+    ASSERT_TRUE(held.ignores());
   }
   taken(held, released(), Attempt::runs);
+  EXPECT_FALSE(held.ignores());
   EXPECT_EQ(taken(held, pressed(), Attempt::runs).buttons, 3);
 }
 
