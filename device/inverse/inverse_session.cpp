@@ -14,6 +14,7 @@ std::string_view key_of(Trouble trouble) noexcept {
     case Trouble::no_answer: return "no_answer";
     case Trouble::garbage: return "garbage";
     case Trouble::gone: return "gone";
+    case Trouble::no_handle: return "no_handle";
   }
   return "none";
 }
@@ -29,7 +30,6 @@ void Session::enter(Phase phase, LinkTime now) noexcept {
 
 void Session::lose(Trouble trouble, LinkTime now) noexcept {
   state_.trouble = trouble;
-  state_.has_orientation = false;
   awaits_answer_ = ask_ = false;
   garbage_ = 0;
   request_ = LinkRequest::close;
@@ -127,9 +127,17 @@ void Session::take_text(std::string_view text, LinkTime now) {
     if (state_.phase == Phase::ready) enter(Phase::silent, now);
     return;
   }
+  if (!frame->orientation && state_.has_orientation && now - turned_ >= settings_.handle) {
+    state_.trouble = Trouble::no_handle;
+    if (state_.phase == Phase::ready) enter(Phase::silent, now);
+    return;
+  }
   state_.reading.position_m = *mine->position_m;
-  state_.has_orientation = state_.has_orientation || frame->orientation.has_value();
-  if (frame->orientation) state_.reading.orientation = frame->orientation;
+  if (frame->orientation) {
+    state_.has_orientation = true;
+    state_.reading.orientation = frame->orientation;
+    turned_ = now;
+  }
   state_.reading.a = frame->a;
   state_.reading.b = frame->b;
   state_.reading.c = frame->c;

@@ -5,7 +5,8 @@
 ///     ▲                │ refused                                       │
 ///     └──── pause ◄────┴───────────────── closed, service gone ◄───────┘
 ///
-/// No place: silence, garbage, or an answer that lists the device without its place.
+/// No place: silence, garbage, or an answer that lists the device without its place. A handle that has reported its orientation belongs
+/// to the device: without its reports there is no place either, because the bur would go on with the axis that it had.
 /// The service sends one message unasked, then one in answer to each message [M]. Force is zero in every phase but ready,
 /// and rises over `ramp` there. A message of zero force leaves as soon as silence begins.
 #pragma once
@@ -29,6 +30,7 @@ enum class Trouble : std::uint8_t {
   no_answer,     // connected, but no message had a position
   garbage,       // its messages cannot be parsed
   gone,          // the service or the device went away
+  no_handle,     // the handle that turned the bur does not report any more
 };
 /// "no_service": for failures and logs.
 std::string_view key_of(Trouble trouble) noexcept;
@@ -36,6 +38,7 @@ std::string_view key_of(Trouble trouble) noexcept;
 struct SessionSettings {
   std::chrono::microseconds pace{1000};    // between two messages at the least
   std::chrono::milliseconds answer{20};    // silence after a message: zero force from here on
+  std::chrono::milliseconds handle{100};   // answers without the handle's orientation: it is lost from here on [M]
   std::chrono::milliseconds repeat{100};   // asks again after this
   std::chrono::milliseconds give_up{2000}; // silence: the link is closed and opened again
   std::chrono::milliseconds pause{500};    // before it is opened again
@@ -50,7 +53,7 @@ struct SessionState {
   std::string device;              // its id
   std::string version;             // of the service; may be empty
   bool left_handed = false;
-  bool has_orientation = false;
+  bool has_orientation = false;    // a handle has reported; stays so over a loss
   Reading reading;                 // newest
   std::uint64_t readings = 0, unread = 0, sent = 0, silences = 0, connections = 0;
   double force_n = 0;              // length of what was sent last
@@ -91,7 +94,7 @@ class Session {
   LinkRequest request_ = LinkRequest::open;
   bool others_ = false;  // the service has devices, but not the wanted one
   Vec3 force_n_{0.0};
-  LinkTime force_at_{}, ramp_from_{}, since_{}, received_{}, asked_{};
+  LinkTime force_at_{}, ramp_from_{}, since_{}, received_{}, asked_{}, turned_{};
   bool awaits_answer_ = false, ask_ = false;
   int garbage_ = 0;
 };

@@ -135,6 +135,21 @@ TEST(InversePort, the_handle_turns_the_bur_from_where_it_rested_and_its_buttons_
   EXPECT_TRUE(eventually(*port, [](const Sample& s) { return s.bur == 1; }));
 }
 
+TEST(InversePort, a_handle_that_is_lost_is_the_loss_of_the_device_until_it_reports_again) {
+  FakeService service;
+  service.set_handle(FakeHandle{.a = true});
+  auto port = make_inverse_port(settings_for(service));
+  ASSERT_TRUE(port->open());
+  ASSERT_TRUE(eventually(*port, [](const Sample& s) { return s.buttons == 1; }));
+  ASSERT_TRUE(eventually(*port, [&](const Sample&) { return service.force_n().x > 0.9; }, {1, 0, 0}));
+  service.set_handle(std::nullopt);
+  ASSERT_TRUE(eventually(*port, [](const Sample& s) { return s.status == Sample::Status::gone && s.buttons == 0; }, {1, 0, 0}));
+  EXPECT_EQ(port->view().session.trouble, inverse::Trouble::no_handle);
+  EXPECT_TRUE(eventually(*port, [&](const Sample&) { return service.force_n() == Vec3(0.0); }, {1, 0, 0}));
+  service.set_handle(FakeHandle{});
+  EXPECT_TRUE(eventually(*port, [](const Sample& s) { return s.status == Sample::Status::fresh; }));
+}
+
 TEST(InversePort, its_button_counts_from_the_bur_that_the_screen_or_the_session_chose) {
   FakeService service;
   service.set_handle(FakeHandle{});

@@ -19,8 +19,16 @@ std::string place(double x, const char* id = "049D") {
          R"(,"y":0,"z":0.1}}}]})";
 }
 
+/// The same, with the report of a handle.
+std::string place_with_handle(double x) {
+  std::string out = place(x);
+  out.pop_back();
+  return out + R"(,"wireless_verse_grip":[{"state":{"orientation":{"x":0,"y":0,"z":0,"w":1}}}]})";
+}
+
 struct Rig {
   Session session;
+  std::string answer = place(0.01);
   LinkTime now{std::chrono::hours(1)};
 
   explicit Rig(const std::string& device = {}) : session({}, device) {}
@@ -50,7 +58,7 @@ struct Rig {
   std::optional<double> exchange() {
     session.command({1, 0, 0}, now);
     const auto force = sent();
-    event(LinkEvent::Kind::message, place(0.01));
+    event(LinkEvent::Kind::message, answer);
     now += 1ms;
     return force;
   }
@@ -215,6 +223,50 @@ TEST(InverseSession, an_answer_without_a_place_is_no_place_to_push_from) {
     rig.now += 1ms;
     expect_it_rises_from_zero(rig);
   }
+}
+
+TEST(InverseSession, without_the_reports_of_the_handle_that_turned_the_bur_there_is_no_place_to_push_from) {
+  Rig rig;
+  rig.make_ready();
+  for (int i = 0; i < 600; ++i) rig.exchange();
+  EXPECT_EQ(rig.phase(), Phase::ready) << "no handle is none that is lost";
+  rig.event(LinkEvent::Kind::message, place_with_handle(0.01));
+  rig.now += 1ms;
+  for (int ms = 1; ms < 100; ++ms) {
+    rig.exchange();
+    ASSERT_EQ(rig.phase(), Phase::ready) << ms;
+  }
+  rig.exchange();
+  const std::uint64_t readings = rig.session.state().readings;
+  for (int i = 0; i < 3000; ++i) {  // longer than it takes to give up a silent service
+    ASSERT_EQ(rig.phase(), Phase::silent) << i;
+    ASSERT_EQ(rig.exchange(), 0.0) << i;
+    rig.event(LinkEvent::Kind::time);
+  }
+  EXPECT_EQ(rig.session.state().trouble, Trouble::no_handle);
+  EXPECT_EQ(rig.session.state().readings, readings);
+  rig.answer = place_with_handle(0.01);
+  rig.event(LinkEvent::Kind::message, rig.answer);
+  EXPECT_EQ(rig.phase(), Phase::ready);
+  EXPECT_EQ(rig.session.state().trouble, Trouble::none);
+  rig.now += 1ms;
+  expect_it_rises_from_zero(rig);
+}
+
+TEST(InverseSession, a_service_that_comes_back_without_the_handle_is_not_ready_before_it_reports) {
+  Rig rig;
+  rig.make_ready();
+  rig.event(LinkEvent::Kind::message, place_with_handle(0.01));
+  rig.event(LinkEvent::Kind::closed);
+  EXPECT_EQ(rig.request(), Session::LinkRequest::close);
+  rig.pass(500ms);
+  EXPECT_EQ(rig.request(), Session::LinkRequest::open);
+  rig.event(LinkEvent::Kind::opened);
+  rig.event(LinkEvent::Kind::message, place(0.01));
+  EXPECT_EQ(rig.phase(), Phase::greeting);
+  EXPECT_EQ(rig.session.state().trouble, Trouble::no_handle);
+  rig.event(LinkEvent::Kind::message, place_with_handle(0.01));
+  EXPECT_EQ(rig.phase(), Phase::ready);
 }
 
 TEST(InverseSession, garbage_is_no_place_to_push_from_and_too_much_of_it_closes) {
