@@ -305,7 +305,9 @@ QString InversePanel::show_answers() {
   const auto& s = view.session;
   const bool ready = s.phase == inverse::Phase::ready;
   in.chip->set(ready ? tr("answers") : tr("silent"), ready ? Chip::Kind::good : Chip::Kind::look);
+  const bool no_handle = s.trouble == inverse::Trouble::no_handle;
   const QString message = ready ? tr("Move it: the place below follows the hand.")
+               : no_handle ? tr("Its handle does not report any more. Switch the handle on; there is no force meanwhile.")
                : tr("It does not answer any more. It is looked for by itself; there is no force meanwhile.");
   const Vec3 at = s.reading.position_m;
   in.place->setText(QStringLiteral("%1   %2   %3").arg(millimetres_of_metres(at.x), millimetres_of_metres(at.y), millimetres_of_metres(at.z)));
@@ -315,6 +317,7 @@ QString InversePanel::show_answers() {
   if (s.reading.b) down << QStringLiteral("B");
   if (s.reading.c) down << QStringLiteral("C");
   in.handle->setText(!s.has_orientation ? tr("None: the bur keeps its axis")
+                     : no_handle        ? tr("Does not report")
                      : down.isEmpty()   ? tr("Reports how it is turned")
                                         : tr("Pressed: %1").arg(down.join(QStringLiteral(", "))));
   return message;

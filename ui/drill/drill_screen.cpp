@@ -329,6 +329,8 @@ void DrillScreen::look() {
   in.panel->show_values(in.live);
   in.tray->show_burs(stands_still(in.live) ? in.live.wanted_bur : in.live.output.bur, in.live.wanted_bur);
   in.bar->show_grant(in.live.grant);
+  const InversePort* inverse3 = in.attempt->device.inverse;
+  in.stage->set_handle_gone(inverse3 != nullptr && inverse3->view().session.trouble == inverse::Trouble::no_handle);
   in.stage->show_values(in.live, in.attempt->device.falcon != nullptr ? &in.attempt->device.falcon->view() : nullptr);
   const bool stopped = in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held;
   if (in.input) in.input->set_enabled(!stopped && !in.asked);

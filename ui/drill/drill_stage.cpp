@@ -268,7 +268,7 @@ void DrillStage::show_values(const LiveView& live, const FalconView* falcon) {
   } else if (live.recording == RecordingState::failed) {
     stop = Stop::record;
   } else if (live.device == Sample::Status::gone) {
-    stop = Stop::device_gone;
+    stop = handle_gone_ ? Stop::handle_gone : Stop::device_gone;
   } else if (live.phase == LoopPhase::held) {
     const bool was_gone = live.fault == Fault::gone || live.fault == Fault::stale;
     stop = was_gone && live.device == Sample::Status::fresh ? Stop::device_back : Stop::fault;

@@ -64,6 +64,8 @@ class DrillStage : public QWidget {
   /// From now on the attempt stands because nothing is drawn.
   void set_undrawn() { undrawn_ = true; }
   bool undrawn() const { return undrawn_; }
+  /// Of a device that is lost, its handle alone is missing.
+  void set_handle_gone(bool on) { handle_gone_ = on; }
   /// While a question stands over the screen, the pause that it made is not shown besides.
   void set_asking(bool on) { asking_ = on; }
   void enable_tools(bool on);
@@ -133,7 +135,7 @@ class DrillStage : public QWidget {
   std::vector<Bur> burs_;
   LiveView live_;
   CoachLine shown_, spoken_;  // on the screen; last announced to a screen reader
-  bool by_mouse_ = false, is_tooth_ = false, asking_ = false, undrawn_ = false;
+  bool by_mouse_ = false, is_tooth_ = false, asking_ = false, undrawn_ = false, handle_gone_ = false;
   int mesial_x_ = 1;  // of the tooth
   bool guided_ = true;  // no assessment
   bool wide_ = false;  // the specimen is more than one tooth

@@ -87,6 +87,10 @@ bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
       title = tr("The device does not answer");
       more = tr("The force is off and the clock stands still. Plug it in again where it was, then resume.");
       break;
+    case Stop::handle_gone:
+      title = tr("The handle of the device does not answer");
+      more = tr("The force is off and the clock stands still. Switch the handle on again, then resume.");
+      break;
     case Stop::device_back:
       title = tr("The device answers again");
       more = tr("The force is off and the clock stands still. Take the handpiece, then resume.");

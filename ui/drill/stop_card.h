@@ -23,8 +23,9 @@ class StopCard : public QFrame {
 
  public:
   /// record: while drilling; record_at_end: after Finish, when the session is stopped; behind: the tooth is being measured.
+  /// handle_gone: the device answers, but not its handle, which turns the bur.
   /// silent: no tick comes, so the attempt can only be left until one does. undrawn: nobody sees where the bur cuts.
-  enum class Stop { none, paused, fault, device_gone, device_back, silent, record, record_at_end, behind, undrawn };
+  enum class Stop { none, paused, fault, device_gone, handle_gone, device_back, silent, record, record_at_end, behind, undrawn };
 
   explicit StopCard(QWidget* parent = nullptr);
   /// `record`: of describe_refused_record(); `fault`: of Stop::fault. Read out when another stop or another cause

@@ -36,7 +36,7 @@ struct SessionDevice {
   std::unique_ptr<HapticPort> port;
   std::shared_ptr<PointerHand> hand;         // mouse and keys lead it: the pointer, or the emulated Falcon
   FalconPort* falcon = nullptr;              // a real one: to look at while its open() waits for homing
-  InversePort* inverse = nullptr;        // to call off while its open() waits
+  InversePort* inverse = nullptr;        // to call off while its open() waits; to look at
   EmulatedFalconPort* emulated = nullptr;
   /// Live values of the Falcon, real or emulated; nullptr for others. One thread.
   const FalconView* view() const noexcept;

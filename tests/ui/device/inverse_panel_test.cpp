@@ -53,6 +53,11 @@ TEST_F(InversePanelTest, follows_the_hand_once_it_was_asked_for) {
   EXPECT_TRUE(shows(panel, "keeps its axis"));
   service.set_handle(FakeHandle{.a = true, .c = true});
   EXPECT_TRUE(eventually([&] { return shows(panel, "A, C"); }));
+  service.set_handle(std::nullopt);
+  EXPECT_TRUE(eventually([&] { return shows(panel, "Switch the handle on"); }));
+  EXPECT_TRUE(shows(panel, "Does not report"));
+  service.set_handle(FakeHandle{});
+  EXPECT_TRUE(eventually([&] { return shows(panel, "Reports how it is turned"); }));
   service.set_way(FakeService::Way::silent);
   EXPECT_TRUE(eventually([&] { return panel.summary().contains("silent"); }));
   EXPECT_EQ(service.most_force_n(), 0.0);  // it only looks

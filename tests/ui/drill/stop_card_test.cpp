@@ -5,6 +5,7 @@
 #include <QLabel>
 
 #include "tests/modules.h"
+#include "ui/drill/drill_stage.h"
 
 namespace cusp::test {
 namespace {
@@ -32,6 +33,25 @@ TEST(StopCard, asks_for_the_same_falcon_where_another_one_would_be_taken_for_it)
   EXPECT_TRUE(card.show_falcon(&view));
   card.fit({420, 2000});
   EXPECT_FALSE(shows(card, "serial number"));
+}
+
+TEST(StopCard, names_the_handle_where_it_alone_is_lost) {
+  DrillStage stage;
+  const auto* card = stage.findChild<StopCard*>();
+  LiveView live;
+  live.phase = LoopPhase::held;
+  live.fault = Fault::gone;
+  live.device = Sample::Status::gone;
+  stage.set_handle_gone(true);
+  stage.show_values(live);
+  EXPECT_TRUE(shows(*card, "Switch the handle on again"));
+  EXPECT_FALSE(shows(*card, "Plug it in again"));
+  stage.set_handle_gone(false);  // now the whole device
+  stage.show_values(live);
+  EXPECT_TRUE(shows(*card, "Plug it in again"));
+  live.device = Sample::Status::fresh;
+  stage.show_values(live);
+  EXPECT_TRUE(shows(*card, "answers again"));
 }
 
 }  // namespace
