@@ -18,9 +18,11 @@ PointerInput::PointerInput(ToothView& view, PointerHand& hand, Vec3 tool_axis, d
   connect(&view_, &ToothView::moved, this, [this](QPointF at, Qt::MouseButtons buttons) {
     // The button was released without an event for this view: over another window, in a menu.
     if (button_ && !(buttons & Qt::LeftButton)) release_all();
+    if (!(buttons & Qt::LeftButton)) ignores_button_ = false;
     if (!(buttons & (Qt::RightButton | Qt::MiddleButton))) slide(at);
   });
   connect(&view_, &ToothView::pressed, this, [this](QPointF at) {
+    ignores_button_ = !enabled_;
     if (!enabled_) return;
     slide(at);
     if (!plane_at_) return;  // no tooth was under the mouse yet
@@ -29,7 +31,7 @@ PointerInput::PointerInput(ToothView& view, PointerHand& hand, Vec3 tool_axis, d
     Q_EMIT drilled();
   });
   connect(&view_, &ToothView::released, this, [this](QPointF) {
-    button_ = false;
+    button_ = ignores_button_ = false;
     hand_over();
   });
   connect(&view_, &ToothView::wheel_turned, this, &PointerInput::turn_wheel);
@@ -100,6 +102,7 @@ void PointerInput::hand_over() {
 
 bool PointerInput::press_key(int key, KeyPress press) {
   const bool repeated = press == KeyPress::repeated;
+  if (key == Qt::Key_Space && !repeated) ignores_space_ = !enabled_;
   if (!enabled_) return false;
   switch (key) {
     case Qt::Key_Space:
@@ -151,7 +154,7 @@ bool PointerInput::press_key(int key, KeyPress press) {
 
 bool PointerInput::release_key(int key) {
   if (key == Qt::Key_Space) {
-    space_ = false;
+    space_ = ignores_space_ = false;
     hand_over();
     return true;
   }
@@ -199,6 +202,13 @@ void PointerInput::step_keys() {
 }
 
 void PointerInput::release_all() {
+  stop();
+  ignores_button_ = ignores_space_ = false;
+}
+
+void PointerInput::stop() {
+  ignores_button_ = ignores_button_ || button_;
+  ignores_space_ = ignores_space_ || space_;
   button_ = space_ = false;
   held_push_n_ = 0;
   arrows_.clear();
@@ -207,7 +217,7 @@ void PointerInput::release_all() {
 }
 
 void PointerInput::set_enabled(bool on) {
-  if (!on) release_all();
+  if (!on) stop();
   enabled_ = on;
 }
 

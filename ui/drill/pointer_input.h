@@ -25,9 +25,12 @@ class PointerInput : public QObject {
   /// True when the key is one of drilling's and was taken.
   bool press_key(int key, KeyPress press = KeyPress::first);
   bool release_key(int key);
-  /// Releases button and keys: at a pause, a loss of focus, a question.
+  /// Releases button and keys, wherever the events of their release go: at a loss of focus, a question.
   void release_all();
+  /// Disabled, it releases them too. What stays pressed then, or is pressed meanwhile, drills only after its release.
   void set_enabled(bool on);
+  /// Whether such a button or key is still pressed.
+  bool ignores_cut() const { return enabled_ && (ignores_button_ || ignores_space_); }
 
   /// Where the bur stands, and how far above the floor of the target: a sweeping push goes no deeper. nullopt: no floor there.
   void follow_bur(Vec3 pivot_mm, std::optional<double> above_floor_mm);
@@ -57,6 +60,7 @@ class PointerInput : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void stop();
   void show_view();
   void slide(QPointF at);
   void hand_over();
@@ -71,6 +75,7 @@ class PointerInput : public QObject {
   int wheel_ = 0;  // of the next notch, in its parts
   double held_push_n_ = 0;  // of Page Down: rests on the tooth without drilling
   bool button_ = false, space_ = false, enabled_ = true;
+  bool ignores_button_ = false, ignores_space_ = false;  // pressed, and to be released first
   bool held_ = false;
   std::optional<Vec3> drilled_mm_;  // pivot of the bur, as it was last seen drilling: a press of a button lifts it
   std::optional<Vec3> plane_at_;    // the place that was pressed: while drilling the mouse slides over the plane through it

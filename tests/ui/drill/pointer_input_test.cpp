@@ -64,6 +64,48 @@ TEST_F(Input, a_press_where_no_tooth_was_under_the_mouse_yet_does_not_drill) {
   EXPECT_TRUE(hand.wish().cut);
 }
 
+TEST_F(Input, a_button_that_is_held_over_a_pause_drills_only_after_its_release) {
+  Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
+  EXPECT_FALSE(input->ignores_cut());
+  input->set_enabled(false);
+  EXPECT_FALSE(input->ignores_cut()) << "first comes Resume";
+  input->set_enabled(true);
+  Q_EMIT view.moved(px({0.1, 0, 2}), Qt::LeftButton, Qt::NoModifier);
+  EXPECT_TRUE(input->ignores_cut());
+  EXPECT_FALSE(hand.wish().cut);
+  Q_EMIT view.released(px({0.1, 0, 2}));
+  EXPECT_FALSE(input->ignores_cut());
+  Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
+  EXPECT_TRUE(hand.wish().cut);
+  EXPECT_FALSE(input->ignores_cut());
+}
+
+TEST_F(Input, a_button_whose_release_this_view_never_gets_is_not_waited_for) {
+  input->set_enabled(false);
+  Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
+  input->set_enabled(true);
+  ASSERT_TRUE(input->ignores_cut()) << "it was pressed during the pause";
+  Q_EMIT view.moved(px({0, 0, 2}), Qt::NoButton, Qt::NoModifier);
+  EXPECT_FALSE(input->ignores_cut());
+}
+
+TEST_F(Input, space_that_is_held_over_a_pause_drills_only_after_its_release) {
+  input->press_key(Qt::Key_Space);
+  input->set_enabled(false);
+  input->set_enabled(true);
+  input->press_key(Qt::Key_Space, PointerInput::KeyPress::repeated);
+  EXPECT_TRUE(input->ignores_cut());
+  EXPECT_FALSE(hand.wish().cut);
+  input->release_key(Qt::Key_Space);
+  EXPECT_FALSE(input->ignores_cut());
+  input->set_enabled(false);
+  input->press_key(Qt::Key_Space);
+  input->set_enabled(true);
+  EXPECT_TRUE(input->ignores_cut()) << "it was pressed during the pause";
+  input->release_all();
+  EXPECT_FALSE(input->ignores_cut()) << "another window hears of its release";
+}
+
 TEST_F(Input, the_left_button_drills_with_the_push_that_the_wheel_set_and_releasing_lifts) {
   Q_EMIT view.wheel_turned(240);
   EXPECT_NEAR(input->push_n(), 1.0, 1e-9);
