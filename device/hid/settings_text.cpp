@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace cusp::device::hid {
 
@@ -16,6 +17,13 @@ json object_of(std::string_view text) {
   return out.is_object() ? out : json::object();
 }
 
+/// nullopt: no whole number, or one beyond INT64_MAX, which get() would take for a negative one.
+std::optional<std::int64_t> whole_number(const json& in) {
+  constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (!in.is_number_integer() || (in.is_number_unsigned() && in.get<std::uint64_t>() > kMost)) return std::nullopt;
+  return in.get<std::int64_t>();
+}
+
 template <class T>
 bool take(const json& in, const char* key, T& out) {
   const auto at = in.find(key);
@@ -24,10 +32,9 @@ bool take(const json& in, const char* key, T& out) {
     if (!at->is_boolean()) return false;
     out = at->get<bool>();
   } else if constexpr (std::is_integral_v<T>) {
-    if (!at->is_number_integer()) return false;
-    const auto value = at->template get<std::int64_t>();
-    if (value < std::numeric_limits<T>::min() || value > std::numeric_limits<T>::max()) return false;
-    out = static_cast<T>(value);
+    const auto value = whole_number(*at);
+    if (!value || *value < std::numeric_limits<T>::min() || *value > std::numeric_limits<T>::max()) return false;
+    out = static_cast<T>(*value);
   } else {
     if (!at->is_number()) return false;
     out = at->template get<T>();
@@ -104,9 +111,8 @@ SpaceMouseSettings space_mouse_settings_from(std::string_view text) {
   const auto rest = in.find("rest");
   if (rest != in.end() && rest->is_array() && rest->size() == out.rest.size()) {
     for (std::size_t i = 0; i < out.rest.size(); ++i) {
-      const json& value = (*rest)[i];
-      if (value.is_number_integer() && std::abs(value.get<std::int64_t>()) <= 1000)
-        out.rest[i] = static_cast<std::int16_t>(value.get<std::int64_t>());
+      const auto value = whole_number((*rest)[i]);
+      if (value && *value >= -1000 && *value <= 1000) out.rest[i] = static_cast<std::int16_t>(*value);
     }
   }
   return out;

@@ -197,7 +197,8 @@ TEST(HidSettings, come_back_from_text_as_they_were_and_rubbish_is_the_usual) {
   EXPECT_EQ(pedal_settings_from(to_text(pedal)), pedal);
   EXPECT_EQ(pedal_settings_from(to_text(PedalSettings{})), PedalSettings{});
   for (const char* rubbish : {"", "{", "[]", "7", R"({"vendor":70000,"released":1,"pressed":1,"dead_zone":0.1})",
-                              R"({"drill":{"page":1},"on":"yes","dead_zone":9e99,"vendor":-1})", "\xff\xfe"}) {
+                              R"({"drill":{"page":1},"on":"yes","dead_zone":9e99,"vendor":-1})",
+                              R"({"released":18446744073709551615,"pressed":9,"dead_zone":0.1})", "\xff\xfe"}) {
     EXPECT_EQ(pedal_settings_from(rubbish), PedalSettings{}) << rubbish;
   }
   SpaceMouseSettings mouse;
@@ -206,7 +207,8 @@ TEST(HidSettings, come_back_from_text_as_they_were_and_rubbish_is_the_usual) {
   mouse.speed = 2.0;
   mouse.moves = false;
   EXPECT_EQ(space_mouse_settings_from(to_text(mouse)), mouse);
-  for (const char* rubbish : {"", "null", R"({"dead_zone":0.9,"speed":1e300,"full":0,"rest":[1,2]})"}) {
+  for (const char* rubbish : {"", "null", R"({"dead_zone":0.9,"speed":1e300,"full":0,"rest":[1,2]})",
+                              R"({"rest":[18446744073709551615,-9223372036854775808,1001,-1001,0.5,"7"]})"}) {
     EXPECT_EQ(space_mouse_settings_from(rubbish), SpaceMouseSettings{}) << rubbish;
   }
 }
