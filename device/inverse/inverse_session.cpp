@@ -104,6 +104,7 @@ void Session::take_text(std::string_view text, LinkTime now) {
   if (!frame->version.empty()) state_.version = frame->version;
   const Frame::Device* mine = nullptr;
   for (const Frame::Device& device : frame->devices) {
+    if (device.id.empty()) continue;  // no message could name it
     const bool named = state_.device.empty() ? wanted_.empty() || device.id == wanted_ : device.id == state_.device;
     if (named && mine == nullptr) mine = &device;
   }
