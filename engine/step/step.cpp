@@ -147,6 +147,8 @@ void update_fault(StepState::Inner& state, const StepInput& input, Vec3 moved_mm
   if (rearm) {
     state.guard.fault = Fault::none;
     release(state.guard);
+    // No tick ran while the session stood, so the bur would go on at the speed that it had before.
+    if (state.phenomena) state.phenomena->spindle = SpindleState{};
   }
   state.guard.stale_ms = fresh || first || rearm ? 0.0 : state.guard.stale_ms + elapsed_ms;
   if (state.guard.fault != Fault::none) return;

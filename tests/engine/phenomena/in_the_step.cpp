@@ -126,6 +126,16 @@ TEST(SpindleInTheStep, stands_still_after_a_bur_was_changed) {
   EXPECT_EQ(state.last().spindle_rpm, 0.0f);
 }
 
+TEST(SpindleInTheStep, stands_still_after_the_session_has_stood) {
+  StepState state(block({Handpiece::turbine, false, false}));
+  for (int k = 0; k < 1000; ++k) step(state, press(-0.5, StepInput::kCut));
+  ASSERT_GT(state.last().spindle_rpm, 300e3f);
+  step(state, press(-0.5, StepInput::kRearm));
+  EXPECT_EQ(state.last().spindle_rpm, 0.0f) << "it would cut for 0.1 to 0.25 s without a button";
+  step(state, press(-0.5, StepInput::kCut));
+  EXPECT_GT(state.last().spindle_rpm, 0.0f);
+}
+
 TEST(SpindleInTheStep, turns_on_while_a_wanted_bur_waits_in_contact) {
   auto scene = block({Handpiece::turbine, false, false});
   scene->burs.push_back(scene->burs.front());
