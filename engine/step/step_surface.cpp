@@ -88,15 +88,16 @@ bool carve_pending(StepState::Inner& state, int bricks) noexcept {
 
 constexpr int kAllBricks = 1 << 30;
 
-/// Bricks a tick that carve a sweep well before the next one is queued. Of another head all: each part costs as much again for
-/// the cells beside it.
+/// Bricks a tick that carve a sweep well before the next one is queued. At 5 mm/s a sweep of kLeastBallSweepMm lasts 12 ticks, and
+/// a ball's front half changes some two bricks for each that its width covers. A slower pace makes more ticks carve and look at
+/// cells anew, and the next sweep carves the rest at once. Of another head all: each part costs as much again for the cells beside it.
 int bricks_a_tick(const StepState::Inner& state) noexcept {
   const StepState::Inner::PendingSweep& sweep = state.pending_sweep;
   const double side = kBrickEdge * state.volume.grid().voxel_mm;
   const Bur& bur = state.scene->burs[sweep.bur];
   const double across = 2.0 * bur.radius_mm / side + 1.0, front = across * across;
   // A small ball's front lies in few bricks.
-  return !bur.head.ball() || front < 10.0 ? kAllBricks : 1 + static_cast<int>(front / 16.0);
+  return !bur.head.ball() || front < 10.0 ? kAllBricks : 1 + static_cast<int>(front / 6.0);
 }
 
 /// Queues the sweep from cut_from to cut_pose, after carving the one that was pending. False if the volume had no room.
