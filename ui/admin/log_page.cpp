@@ -58,12 +58,14 @@ LogPage::LogPage(Store& store, const Actor& actor, const Ports& ports, QWidget* 
   outer->addWidget(make_filters());
   band_ = new Band;
   outer->addWidget(band_);
-  outer->addWidget(make_unread());
+  QWidget* entries = make_table();
+  unread_ = make_unread_band(table_, [this] { model_->rowCount() == 0 ? read() : model_->fetch_again(); });
+  outer->addWidget(unread_);
   busy_ = new Busy;
   busy_->hide();
   outer->addWidget(busy_);
   outer->addWidget(make_export_progress());
-  outer->addWidget(make_table(), 1);
+  outer->addWidget(entries, 1);
   connect(csv, &QPushButton::clicked, this, &LogPage::export_csv);
   connect(verify_, &QPushButton::clicked, this, &LogPage::verify);
   connect(busy_, &Busy::cancelled, this, &LogPage::cancel_verification);
@@ -102,19 +104,6 @@ QWidget* LogPage::make_filters() {
   row->addWidget(days_);
   row->addStretch();
   return bar;
-}
-
-Band* LogPage::make_unread() {
-  unread_ = new Band;
-  QPushButton* again = make_button(tr("Try again"), ButtonKind::standard, u"refresh"_qs);
-  unread_->ways_out()->addWidget(again);
-  connect(again, &QPushButton::clicked, this, [this] {
-    table_->setFocus();  // the button goes
-    if (model_->rowCount() == 0) return read();
-    unread_->clear();
-    model_->fetch_again();
-  });
-  return unread_;
 }
 
 QWidget* LogPage::make_table() {

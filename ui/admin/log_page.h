@@ -57,7 +57,6 @@ class LogPage : public QWidget, public AtWork {
 
  private:
   QWidget* make_filters();
-  Band* make_unread();
   QWidget* make_table();
   void fill_people();
   /// The names of what entries concern. Returns the accounts; none if they cannot be read, which the band then says.

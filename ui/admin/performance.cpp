@@ -68,29 +68,18 @@ Performance::Performance(Store& store, const Actor& reader, const Ports& ports, 
   body->addWidget(without_scripted_);
   band_ = new Band;
   body->addWidget(band_);
-  body->addWidget(make_unread());
+  QWidget* attempts = make_table();
+  unread_ = make_unread_band(table_, [this] { model_->failed() ? model_->fetch_again() : read(); });  // else the first page failed
+  body->addWidget(unread_);
   body->addWidget(make_progress());
   body->addWidget(make_figures());
   body->addLayout(make_charts());
   criteria_ = new CriteriaCard;
   body->addWidget(criteria_);
-  body->addWidget(make_table(), 1);
+  body->addWidget(attempts, 1);
   fill_filters();
   read();
   setFocusProxy(search_);
-}
-
-Band* Performance::make_unread() {
-  unread_ = new Band;
-  QPushButton* again = make_button(tr("Try again"), ButtonKind::standard, u"refresh"_qs);
-  unread_->ways_out()->addWidget(again);
-  connect(again, &QPushButton::clicked, this, [this] {
-    table_->setFocus();  // the button goes
-    if (!model_->failed()) return read();  // the first page failed
-    unread_->clear();
-    model_->fetch_again();
-  });
-  return unread_;
 }
 
 QBoxLayout* Performance::make_charts() {

@@ -71,7 +71,6 @@ class Performance : public QWidget, public Rereads, public AtWork {
 
  private:
   QWidget* make_filters();
-  Band* make_unread();
   QWidget* make_figures();
   QBoxLayout* make_charts();
   QWidget* make_table();

@@ -3,7 +3,6 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QLabel>
-#include <QPushButton>
 #include <QSignalBlocker>
 #include <algorithm>
 
@@ -47,12 +46,13 @@ OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent)
   }
   make_choice(*scenarios);
   head->buttons()->addWidget(exercise_);
-  outer->addWidget(make_unread());
+  make_table();
+  unread_ = make_unread_band(table_, [this] { model_->fetch_again(); });
+  outer->addWidget(unread_);
   charted_ = make_label({}, TextRole::body, Weight::bold);
   charted_->setWordWrap(true);
   outer->addWidget(charted_);
   outer->addLayout(make_charts());
-  make_table();
   auto* card = new Card;
   card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
   card->body()->addWidget(table_);
@@ -80,18 +80,6 @@ void OwnHistory::offer(std::vector<PractisedScenario> scenarios) {
   exercise_->addItem(tr("All exercises"));
   for (const PractisedScenario& s : scenarios) exercise_->addItem(local(s.title), QString::fromStdString(s.scenario.text()));
   exercise_->setCurrentIndex(chosen.isValid() ? std::max(0, exercise_->findData(chosen)) : 0);
-}
-
-Band* OwnHistory::make_unread() {
-  unread_ = new Band;
-  QPushButton* again = make_button(tr("Try again"), ButtonKind::standard, u"refresh"_qs);
-  unread_->ways_out()->addWidget(again);
-  connect(again, &QPushButton::clicked, this, [this] {
-    table_->setFocus();  // the button goes
-    unread_->clear();
-    model_->fetch_again();
-  });
-  return unread_;
 }
 
 QBoxLayout* OwnHistory::make_charts() {

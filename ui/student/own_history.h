@@ -34,7 +34,6 @@ class OwnHistory : public QWidget, public Rereads {
  private:
   void make_choice(std::vector<PractisedScenario> scenarios);
   void offer(std::vector<PractisedScenario> scenarios);
-  Band* make_unread();
   QBoxLayout* make_charts();
   void make_table();
   void show_attempts();

@@ -16,6 +16,7 @@
 #include <QTabBar>
 #include <QToolButton>
 #include <algorithm>
+#include <utility>
 
 #include "ui/widgets/format.h"
 #include "ui/widgets/head_row.h"
@@ -209,6 +210,18 @@ void Band::show_message(Kind kind, const QString& what, const QString& more) {
 
 void Band::clear() { hide(); }
 QString Band::text() const { return accessibleName(); }
+
+Band* make_unread_band(QWidget* rows, std::function<void()> again) {
+  auto* band = new Band;
+  QPushButton* button = make_button(Band::tr("Try again"), ButtonKind::standard, u"refresh"_qs);
+  band->ways_out()->addWidget(button);
+  QObject::connect(button, &QPushButton::clicked, band, [band, rows, again = std::move(again)] {
+    rows->setFocus();  // the button goes
+    band->clear();
+    again();
+  });
+  return band;
+}
 
 QFormLayout* make_form() {
   auto* form = new QFormLayout;

@@ -110,6 +110,10 @@ class Band : public QFrame {
   QLayout* ways_out_;
 };
 
+/// A band for rows that could not be read, with a button "Try again". The button clears the band and gives the focus to `rows`
+/// before it calls `again`. `rows` outlives the band.
+Band* make_unread_band(QWidget* rows, std::function<void()> again);
+
 /// A form with each label above its field, 4 px apart.
 QFormLayout* make_form();
 /// Adds a field `gap` px (at 100 %) below the one before, and a number's note below it. The label is the field's buddy and

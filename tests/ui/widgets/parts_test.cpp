@@ -82,6 +82,34 @@ TEST(Band, puts_buttons_that_take_more_than_half_of_its_width_below_its_text) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return buttons[0]->y() <= text_bottom() && buttons[2]->y() == buttons[0]->y(); }));
 }
 
+TEST(Band, for_rows_that_could_not_be_read_gives_them_the_focus_and_goes_unless_they_fail_again) {
+  QWidget page;
+  auto* column = new QVBoxLayout(&page);
+  auto* rows = new QLineEdit;
+  int asked = 0;
+  Band* band = nullptr;
+  const auto fail = [&] { band->show_message(Band::Kind::bad, QStringLiteral("The entries could not be read.")); };
+  band = make_unread_band(rows, [&] {
+    if (++asked == 1) fail();
+  });
+  column->addWidget(band);
+  column->addWidget(rows);
+  page.show();
+  EXPECT_FALSE(band->isVisible());
+  fail();
+  auto* again = band->findChild<QPushButton*>();
+  ASSERT_NE(again, nullptr);
+  EXPECT_EQ(again->accessibleName().toStdString(), "Try again");
+  again->setFocus();
+  again->click();
+  EXPECT_EQ(asked, 1);
+  EXPECT_TRUE(band->isVisible()) << "they failed once more";
+  EXPECT_EQ(page.focusWidget(), rows);
+  again->click();
+  EXPECT_EQ(asked, 2);
+  EXPECT_FALSE(band->isVisible());
+}
+
 TEST(Bar, keeps_its_share_between_nothing_and_all) {
   Bar bar;
   bar.set_share(1.7);
