@@ -4,7 +4,6 @@
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
-#include <QScreen>
 #include <QScrollArea>
 #include <algorithm>
 
@@ -22,7 +21,6 @@ namespace {
 constexpr int kWidth = 560, kMostListHeight = 168;  // px at 100 %; longer lists scroll
 constexpr int kSide = 24, kLeastHeight = 96;        // px at 100 %; of all above the buttons
 constexpr int kAroundTheText = 104;                 // px at 100 %, of margins and buttons
-constexpr double kSheetShare = 0.95;                // of the screen's height, as of the template dialog: the rest is its frame
 
 QLabel* line(const QString& text, const char* ink = "") {
   QLabel* label = make_label(text, TextRole::body, Weight::regular, ink);
@@ -87,7 +85,7 @@ PublishSheet::PublishSheet(PublishFacts facts, const QString& title, const Ports
 /// As high as what it shows, where the screen has that much: Qt gives a dialog two thirds of the screen's height at most.
 void PublishSheet::fit_height() {
   const int wanted = area_->widget()->layout()->totalHeightForWidth(px(kWidth) - 2 * px(kSide));
-  const int room = static_cast<int>(kSheetShare * screen()->availableGeometry().height()) - px(kAroundTheText);
+  const int room = most_of_screen(*this).height() - px(kAroundTheText);
   const int given = std::min(wanted, std::max(px(kLeastHeight), room));
   area_->setMinimumHeight(given);
   area_->setFocusPolicy(given < wanted ? Qt::StrongFocus : Qt::NoFocus);

@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalBlocker>
@@ -28,7 +27,6 @@ namespace {
 constexpr int kFirstTooth = 36;
 constexpr int kFitRestMs = 200;         // fitting takes some 50 ms: a field that is being turned fits once, at its end
 constexpr double kShownRounding = 0.005;  // the fields show two decimals
-constexpr double kShareOfScreen = 0.95;
 constexpr int kDialogWidth = 760;     // px at 100 %, as the next two
 constexpr int kLeastRowsHeight = 96;  // of the parameters: two rows, the others scroll
 constexpr int kOtherHeight = 272;     // of all that stands above and below the parameters
@@ -260,7 +258,7 @@ void TemplateDialog::showEvent(QShowEvent* event) {
 }
 
 void TemplateDialog::fit_height() {
-  const QSize room = screen()->availableGeometry().size() * kShareOfScreen;
+  const QSize room = most_of_screen(*this);
   const int width = std::min(px(kDialogWidth), room.width());
   setFixedWidth(width);
   // Names of two lines make rows taller than the size hint says.

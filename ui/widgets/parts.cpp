@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QShortcut>
@@ -26,6 +27,7 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kBesidePlaceholder = 96;  // px at 100 %: the sign, the cross, padding and borders of a search field
+constexpr double kShareOfScreen = 0.95;  // of width and height: 5 % of 768 px are 38, as high as a title bar
 
 QString with_key(const QString& text, const QKeySequence& key) {
   return key.isEmpty() ? text : text + u" ("_qs + key.toString(QKeySequence::NativeText) + u')';
@@ -336,6 +338,8 @@ QLineEdit* make_search_field(const QString& name, int width_px) {
   field->setFixedWidth(std::max(width_px, whole));
   return field;
 }
+
+QSize most_of_screen(const QWidget& dialog) { return dialog.screen()->availableGeometry().size() * kShareOfScreen; }
 
 QWidget* make_page(QWidget* content) {
   auto* page = new QWidget;

@@ -149,6 +149,9 @@ class PageHead : public QWidget {
 /// A field to search by, with its sign; `name` is placeholder and accessible name. Wider than `width_px` if the name needs it.
 QLineEdit* make_search_field(const QString& name, int width_px);
 
+/// What a dialog takes of its screen at most; its frame takes the rest.
+QSize most_of_screen(const QWidget& dialog);
+
 /// A page that one widget fills.
 QWidget* make_page(QWidget* content);
 /// `page` in an area that scrolls where the window is smaller than what the page needs at least.

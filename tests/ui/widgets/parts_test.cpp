@@ -4,12 +4,14 @@
 
 #include <QAccessible>
 #include <QApplication>
+#include <QDialog>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QStandardItemModel>
@@ -275,6 +277,15 @@ TEST(Busy, stays_hidden_for_work_that_is_over_at_once) {
   EXPECT_FALSE(busy.isVisible());
   busy.start(QStringLiteral("Reading the tooth"), Busy::Cancel::offered);
   ASSERT_TRUE(QTest::qWaitFor([&] { return busy.isVisible(); }));
+}
+
+TEST(Parts, a_dialog_leaves_a_rim_of_the_screen_for_its_frame) {
+  constexpr int kHighestFrame = 32;  // px, of a title bar; the offscreen platform's screen has 800 x 800
+  QDialog dialog;
+  const QSize all = dialog.screen()->availableGeometry().size(), most = most_of_screen(dialog);
+  EXPECT_LE(most.height(), all.height() - kHighestFrame);
+  EXPECT_LT(most.width(), all.width());
+  EXPECT_GT(most.height(), all.height() * 9 / 10);
 }
 
 TEST(Parts, buttons_and_icon_buttons_have_names) {
