@@ -96,6 +96,7 @@ QWidget* TrustCard::make_acts(const KeyToTrust& asked) {
 }
 
 FileCard::FileCard(const Shown& shown) : Card(tr("What is in the file"), QFileInfo(shown.file).fileName()) {
+  elide_aside();  // the file's name
   const ExchangeLook& look = shown.look;
   const ExchangeDescription& d = look.description;
   auto* facts = new QFormLayout;

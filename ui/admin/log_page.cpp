@@ -20,6 +20,7 @@
 #include "ui/widgets/choice.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/head_row.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
@@ -79,7 +80,8 @@ LogPage::LogPage(Store& store, const Actor& actor, const Ports& ports, QWidget* 
 
 QWidget* LogPage::make_filters() {
   auto* bar = new QWidget;
-  auto* row = new QHBoxLayout(bar);
+  auto* row = new HeadRow(HeadRow::Kind::buttons);
+  bar->setLayout(row);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(px(8));
   kind_ = make_choice(tr("Kind"));
@@ -102,7 +104,6 @@ QWidget* LogPage::make_filters() {
   days->addWidget(make_label(u"–"_qs));
   days->addWidget(last_day_);
   row->addWidget(days_);
-  row->addStretch();
   return bar;
 }
 

@@ -185,7 +185,7 @@ void EditorPage::follow_model() {
   const bool whole = grown_ != nullptr && !has_error(model_->findings());
   try_->setEnabled(whole && opengl_allowed());
   reference_->setEnabled(whole && !reference_job_->running());
-  tooth_->setText(isolate(s.specimen.generator.empty() ? breakable(specimen_name(s.specimen)) : specimen_name(s.specimen)));
+  tooth_->setText(isolate(s.specimen.generator.empty() ? breakable(specimen_name(s.specimen), kWholeInPanel) : specimen_name(s.specimen)));
   const bool drawn = model_->has_outline();
   on_top_->setEnabled(grown_ != nullptr && s.target.kind == RegionKind::outline);
   shapes_->setExclusive(drawn);  // of another part no button is chosen

@@ -80,21 +80,6 @@ QString specimen_name(const SpecimenSource& source) {
   return QFileInfo(QString::fromStdString(source.volume)).fileName();
 }
 
-QString breakable(const QString& name) {
-  constexpr int kUnbroken = 12;  // characters; a line of the left panel holds about 20
-  constexpr QChar kMayBreak(0x200B);
-  QString out;
-  int unbroken = 0;
-  for (const QChar c : name) {
-    unbroken = c.isSpace() ? 0 : unbroken + 1;
-    out += c;
-    if (unbroken < kUnbroken || c.isHighSurrogate()) continue;
-    out += kMayBreak;
-    unbroken = 0;
-  }
-  return out;
-}
-
 void add_teeth(QComboBox& box) {
   for (const int quadrant : {1, 2, 3, 4}) {
     for (int n = 1; n <= 8; ++n) box.addItem(quadrant_name(10 * quadrant + n), 10 * quadrant + n);
@@ -182,7 +167,7 @@ void SpecimenForm::follow_model() {
   tooth_->setCurrentIndex(tooth_->findData(s.fdi > 0 ? s.fdi : kDefaultTooth));
   seed_->show_value(static_cast<double>(s.seed));
   voxel_->show_value(s.generator.empty() ? kDefaultVoxelMm : s.voxel_mm);
-  file_->setText(s.volume.empty() ? tr("No file chosen yet.") : isolate(breakable(QString::fromStdString(s.volume))));
+  file_->setText(s.volume.empty() ? tr("No file chosen yet.") : isolate(breakable(QString::fromStdString(s.volume), kWholeInPanel)));
   fit();
 }
 

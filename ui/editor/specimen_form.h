@@ -57,8 +57,8 @@ class SpecimenForm : public QWidget {
 
 /// "36, lower left", "Practice block", "tooth.nrrd".
 QString specimen_name(const SpecimenSource& source);
-/// The name with places where a line may end: a file's name often has none, and would widen its panel.
-QString breakable(const QString& name);
+/// For breakable(): a file's name often has no blank. A line of the left panel holds about 20 characters.
+inline constexpr int kWholeInPanel = 12;
 /// The permanent teeth by FDI number, which is their data.
 void add_teeth(QComboBox& box);
 

@@ -11,6 +11,7 @@ QComboBox* make_choice(const QString& name) {
   box->setAccessibleName(name);
   box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   box->setMinimumWidth(px(110));
+  box->setMaximumWidth(px(360));
   return box;
 }
 

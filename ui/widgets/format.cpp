@@ -98,6 +98,24 @@ QString format_value(const Measured& m, const QLocale& locale) {
   return isolate(text);
 }
 
+QString breakable(const QString& text, int whole) {
+  constexpr QChar kMayBreak(0x200B);
+  QString out;
+  int unbroken = 0;
+  for (const QChar c : text) {
+    if (c.isSpace()) {
+      unbroken = 0;
+    } else if (unbroken >= whole && !c.isLowSurrogate()) {
+      out += kMayBreak;
+      unbroken = 1;
+    } else {
+      ++unbroken;
+    }
+    out += c;
+  }
+  return out;
+}
+
 QString format_uncertainty(const Measured& m, const QLocale& locale) {
   if (!m.uncertainty || !(*m.uncertainty > 0)) return {};
   const int decimals = decimals_of(m);

@@ -65,6 +65,9 @@ QString as_file_name(QString text);
 QString without_marks(QString typed);
 /// A name likewise, but with the joiners of Persian and Indian spelling; a line's end or a tab parts two words.
 QString without_marks_but_joiners(QString text);
+/// `text` with U+200B, where a line may end, after each `whole` characters without a blank: a name of 60 letters would widen what it
+/// stands in. The longest word of the translations has 23.
+QString breakable(const QString& text, int whole = 24);
 /// Wraps in U+2066 … U+2069.
 QString isolate(const QString& text);
 

@@ -96,11 +96,12 @@ Card::Card(const QString& title, const QString& aside, QWidget* parent) : Card(p
 }
 
 void Card::set_title(const QString& title) {
-  if (title_) title_->setText(title);
+  if (title_) title_->setText(title_->wordWrap() ? breakable(title) : title);
   setAccessibleName(title);
 }
 void Card::wrap_title() {
   title_->setWordWrap(true);
+  title_->setText(breakable(title_->text()));
   head_->setStretchFactor(title_, 1);
 }
 void Card::set_aside(const QString& aside) {
@@ -109,7 +110,7 @@ void Card::set_aside(const QString& aside) {
 }
 
 void Card::show_aside() {
-  if (aside_kind_ == Aside::whole) return aside_->setText(aside_text_);
+  if (aside_kind_ == Aside::whole) return aside_->setText(aside_->wordWrap() ? breakable(aside_text_) : aside_text_);
   const QString shown = aside_->fontMetrics().elidedText(aside_text_, Qt::ElideRight, aside_->contentsRect().width());
   aside_->setText(shown);
   aside_->setAccessibleName(aside_text_);
@@ -134,6 +135,7 @@ void Card::wrap_aside() {
   aside_->setWordWrap(true);
   aside_->setAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
   head_->setStretchFactor(aside_, 1);
+  show_aside();
 }
 
 Segments::Segments(const QStringList& names, QWidget* parent, Begin begin) : QWidget(parent), group_(new QButtonGroup(this)) {
@@ -202,9 +204,10 @@ void Band::show_message(Kind kind, const QString& what, const QString& more) {
   const auto k = static_cast<int>(kind);
   set_kind(this, kKinds[k]);
   sign_->setPixmap(icon_pixmap(kIcons[k], kInks[k], 20, devicePixelRatioF()));
-  text_->setText(more.isEmpty() ? u"<b>%1</b>"_qs.arg(what.toHtmlEscaped())
-                                : u"<b>%1</b> %2"_qs.arg(what.toHtmlEscaped(), more.toHtmlEscaped()));
+  const QString first = breakable(what).toHtmlEscaped(), rest = breakable(more).toHtmlEscaped();
+  text_->setText(more.isEmpty() ? u"<b>%1</b>"_qs.arg(first) : u"<b>%1</b> %2"_qs.arg(first, rest));
   setAccessibleName(more.isEmpty() ? what : what + u' ' + more);
+  text_->setAccessibleName(accessibleName());  // without the places where a line may end
   fit_ways();  // one of them may be hidden since
   show();
   announce(this, accessibleName());

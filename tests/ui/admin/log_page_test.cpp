@@ -277,6 +277,7 @@ TEST_F(LogPages, KeepsWhatWasDoneOnTheScreenBesideLongNames) {
   shown->resize(1080, 752);
   shown->show();
   QApplication::processEvents();
+  EXPECT_EQ(shown->width(), 1080) << "the names among the filters widen no page";
   const Table& table = *shown->table();
   EXPECT_LE(table.columnViewportPosition(LogModel::kProof), table.viewport()->width());
   EXPECT_GE(table.columnWidth(LogModel::kWhat), 140);

@@ -169,6 +169,19 @@ TEST_F(AdminPages, performance_fits_half_of_full_hd_in_german) {
   install_language(*qApp, QStringLiteral("en"));
 }
 
+TEST_F(AdminPages, performance_is_no_wider_for_a_cohort_whose_name_has_60_letters) {
+  const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
+  const std::string name(60, 'W');
+  ASSERT_TRUE(records.store().cohorts.create(berg.actor(), name));
+  Performance page(records.store(), records.administrator().actor(), ports);
+  ASSERT_GE(page.cohort()->findText(QString::fromStdString(name)), 0);
+  page.resize(kPageAtHalfOfFullHd);
+  page.show();
+  QTest::qWait(0);
+  const auto* area = page.findChild<QScrollArea*>();
+  EXPECT_LE(area->widget()->minimumSizeHint().width(), area->viewport()->width());
+}
+
 TEST_F(AdminPages, csv_holds_what_the_filters_leave) {
   const Account lena = records.student("1", "Lena Brandt"), noah = records.student("2", "Noah Adler");
   records.attempt(lena, "channel-1", 78, 100);

@@ -11,6 +11,7 @@
 #include "tests/ui/whole_texts.h"
 #include "ui/editor/specimen_form.h"
 #include "ui/text/language.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/theme.h"
 
 namespace cusp::test {
@@ -135,9 +136,9 @@ TEST_F(EditorPages, the_left_panel_is_a_tab_while_the_window_is_too_narrow_for_t
 
 TEST(SpecimenName, of_a_file_takes_lines_instead_of_widening_its_panel) {
   const QString name = QString(60, u'm') + QStringLiteral(".nrrd");
-  EXPECT_EQ(breakable(name).remove(QChar(0x200B)), name) << "nothing but places to break is added";
-  EXPECT_EQ(breakable(QStringLiteral("tooth.nrrd")), QStringLiteral("tooth.nrrd"));
-  QLabel whole(name), wrapped(breakable(name));
+  EXPECT_EQ(breakable(name, kWholeInPanel).remove(QChar(0x200B)), name) << "nothing but places to break is added";
+  EXPECT_EQ(breakable(QStringLiteral("tooth.nrrd"), kWholeInPanel), QStringLiteral("tooth.nrrd"));
+  QLabel whole(name), wrapped(breakable(name, kWholeInPanel));
   wrapped.setWordWrap(true);
   EXPECT_LT(wrapped.minimumSizeHint().width(), whole.sizeHint().width() / 3);
 }

@@ -160,5 +160,13 @@ TEST(Format, what_is_kept_has_its_year_and_on_paper_the_offset_from_utc) {
   EXPECT_EQ(kEnglish.toString(here, date_pattern(kEnglish)).toStdString(), "27 Nov 2026");
 }
 
+TEST(Format, lets_a_line_end_only_in_words_that_are_too_long) {
+  const QString longest = QStringLiteral("Zusammenhangskomponente");  // of the translations
+  EXPECT_EQ(breakable(longest + u' ' + longest), longest + u' ' + longest);
+  EXPECT_EQ(breakable(QStringLiteral("abcde"), 2), QStringLiteral("ab\u200Bcd\u200Be"));
+  EXPECT_EQ(breakable(QStringLiteral("ab cd"), 2), QStringLiteral("ab cd"));
+  EXPECT_EQ(breakable(QStringLiteral("a\U0001F9B7b"), 2), QStringLiteral("a\U0001F9B7\u200Bb")) << "a pair of surrogates stays whole";
+}
+
 }  // namespace
 }  // namespace cusp::test

@@ -84,6 +84,37 @@ TEST(Band, puts_buttons_that_take_more_than_half_of_its_width_below_its_text) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return buttons[0]->y() <= text_bottom() && buttons[2]->y() == buttons[0]->y(); }));
 }
 
+TEST(Band, with_a_name_of_60_letters_takes_lines_and_does_not_widen_the_page) {
+  constexpr int kWidth = 480;  // half of full HD at 200 %; the name alone takes some 840 px
+  const QString name(60, u'W');
+  QWidget page;
+  auto* column = new QVBoxLayout(&page);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* band = new Band;
+  column->addWidget(band);
+  column->addStretch();
+  page.resize(kWidth, 300);
+  page.show();
+  band->show_message(Band::Kind::good, QStringLiteral("%1 is saved.").arg(name), QStringLiteral("%1 can sign in.").arg(name));
+  QTest::qWait(0);
+  EXPECT_LE(page.minimumSizeHint().width(), kWidth);
+  EXPECT_EQ(page.width(), kWidth);
+  EXPECT_EQ(band->text(), QStringLiteral("%1 is saved. %1 can sign in.").arg(name)) << "a screen reader hears the name in one";
+}
+
+TEST(Card, takes_lines_for_a_title_and_an_aside_of_60_letters) {
+  constexpr int kWidth = 960;  // of half of full HD; in one line the two take some 1800 px
+  const QString name(60, u'W');
+  Card card(name, name);
+  card.wrap_title();
+  card.wrap_aside();
+  EXPECT_LE(card.minimumSizeHint().width(), kWidth);
+  card.set_title(name);
+  card.set_aside(name);
+  EXPECT_LE(card.minimumSizeHint().width(), kWidth);
+  EXPECT_EQ(card.accessibleName(), name);
+}
+
 TEST(Band, for_rows_that_could_not_be_read_gives_them_the_focus_and_goes_unless_they_fail_again) {
   QWidget page;
   auto* column = new QVBoxLayout(&page);
