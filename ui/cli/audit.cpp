@@ -95,7 +95,7 @@ int apply(const AuditOptions& o, const std::filesystem::path& file, const Scenar
   }
   if (const auto written = write_whole(file, write_scenario(leaner)); !written) return failed(cannot_write(file, written.error().detail));
   if (!o.json.on_stdout())
-    print_line(plain(CliText::tr("Written to %1 as version %2.").arg(QString::fromStdString(file.string())).arg(leaner.version)));
+    print_line(plain(CliText::tr("Written to %1 as version %2.").arg(QString::fromStdString(file.string()), QString::number(leaner.version))));
   return kDone;
 }
 

@@ -65,7 +65,7 @@ InterruptedCard::InterruptedCard(Store& store, const HistoryRow& row, Interrupte
   auto* text = new QVBoxLayout;
   text->setSpacing(px(2));
   line->addLayout(text, 1);
-  QLabel* title = make_label(tr("%1, attempt %2").arg(local(row.title)).arg(row.attempt), TextRole::section, Weight::bold);
+  QLabel* title = make_label(tr("%1, attempt %2").arg(local(row.title), QString::number(row.attempt)), TextRole::section, Weight::bold);
   title->setWordWrap(true);
   text->addWidget(title);
   QString remark = how_far(store, row);

@@ -96,6 +96,14 @@ TEST_F(StartPageCards, an_attempt_that_broke_off_after_an_hour_has_its_hours) {
   EXPECT_TRUE(plain(texts_of(assessment)).contains(QStringLiteral("It broke off after 1:01:40 h. All of it is kept."))) << texts_of(assessment).toStdString();
 }
 
+TEST_F(StartPageCards, an_exercise_whose_name_reads_like_a_placeholder_keeps_it) {
+  records.broken_attempt(lena, "paper-block");
+  HistoryRow row = load_course(records.store(), lena.actor())->interrupted.at(0);
+  row.title = {{"en", "Channel of 50 %1"}};
+  const InterruptedCard card(records.store(), row, InterruptedWay::resume, "pointer", ButtonKind::primary);
+  EXPECT_TRUE(plain(texts_of(card)).contains(QStringLiteral("Channel of 50 %1, attempt ") + QString::number(row.attempt))) << texts_of(card).toStdString();
+}
+
 TEST_F(StartPageCards, the_list_scrolls_with_the_page_and_its_keys_take_the_page_along) {
   page();
   shown->resize(1080, 672);  // of a window of 1280 x 720
