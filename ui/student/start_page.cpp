@@ -65,7 +65,8 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
     return;
   }
   course_ = std::move(*course);
-  if (auto assessments = load_assessments(store, account.actor(), now, device_class_)) assessments_ = std::move(*assessments);
+  auto assessments = load_assessments(store, account.actor(), now, device_class_);
+  if (assessments) assessments_ = std::move(*assessments);
   const int next = course_.next();
   if (next >= 0) {
     next_ = course_.rows[static_cast<std::size_t>(next)];
@@ -77,6 +78,11 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
   bool due = std::ranges::any_of(assessments_, [](const auto& a) { return a.state != AssignedAssessment::State::missed && a.state != AssignedAssessment::State::handed_in; });
   due = due || std::ranges::any_of(course_.rows, &CourseRow::due);
   body->addWidget(new PageHead(due ? tr("Due next") : tr("Your practice"), format_day(now)));
+  if (!assessments) {
+    auto* unread = new Band;
+    body->addWidget(unread);
+    unread->show_message(Band::Kind::bad, tr("Your assessments could not be read."), describe(assessments.error()).line());
+  }
   columns_ = new QBoxLayout(QBoxLayout::LeftToRight);
   columns_->setSpacing(px(16));
   body->addLayout(columns_);
