@@ -102,7 +102,11 @@ QWidget* StationPage::make_idle() {
   idle_->show_value(settings_.idle_minutes());
   card->body()->addWidget(labelled(tr("After so many minutes without input"), idle_));
   card->body()->addWidget(make_paragraph(tr("Nobody is signed out while drilling. It holds from the next sign-in.")));
-  connect(idle_, &QDoubleSpinBox::valueChanged, this, [this](double minutes) { settings_.set_idle_minutes(static_cast<int>(minutes)); });
+  connect(idle_, &QDoubleSpinBox::valueChanged, this, [this](double minutes) {
+    if (settings_.set_idle_minutes(static_cast<int>(minutes))) return;
+    band_->show_message(Band::Kind::bad, tr("The minutes hold until Cusp is closed."),
+                        tr("%1 cannot be written, so the next start does not know them.").arg(settings_.file()));
+  });
   return card;
 }
 

@@ -50,19 +50,20 @@ void Settings::set_left_handed(bool left) { store_.setValue("view/left_handed", 
 int Settings::idle_minutes() const {
   return std::clamp(whole_number(store_, u"station/idle_minutes"_qs, kUsualIdleMinutes), 0, kMostIdleMinutes);
 }
-void Settings::set_idle_minutes(int minutes) { store_.setValue("station/idle_minutes", std::clamp(minutes, 0, kMostIdleMinutes)); }
+bool Settings::set_idle_minutes(int minutes) { return keep(u"station/idle_minutes"_qs, std::clamp(minutes, 0, kMostIdleMinutes)); }
 std::filesystem::path Settings::backup_folder(const std::filesystem::path& database) const {
   const QString chosen = store_.value("records/backup_folder").toString();
   return chosen.isEmpty() ? database.parent_path() / "backups" : std::filesystem::path(chosen.toStdString());
 }
-bool Settings::set_backup_folder(const QString& folder) {
+bool Settings::set_backup_folder(const QString& folder) { return keep(u"records/backup_folder"_qs, folder); }
+QString Settings::station_name(const QString& station) const { return store_.value("stations/" + station).toString(); }
+void Settings::set_station_name(const QString& station, const QString& name) { store_.setValue("stations/" + station, name.trimmed()); }
+bool Settings::keep(const QString& key, const QVariant& value) {
   QSettings fresh(store_.fileName(), QSettings::IniFormat);  // its status is of this write alone
-  fresh.setValue("records/backup_folder", folder);
+  fresh.setValue(key, value);
   fresh.sync();
   return fresh.status() != QSettings::AccessError;
 }
-QString Settings::station_name(const QString& station) const { return store_.value("stations/" + station).toString(); }
-void Settings::set_station_name(const QString& station, const QString& name) { store_.setValue("stations/" + station, name.trimmed()); }
 QByteArray Settings::window() const { return store_.value("window/geometry").toByteArray(); }
 void Settings::set_window(const QByteArray& geometry) { store_.setValue("window/geometry", geometry); }
 

@@ -43,7 +43,8 @@ class Settings {
   void set_left_handed(bool left);
   /// Minutes without input after which the desktop signs out; 0 = never.
   int idle_minutes() const;
-  void set_idle_minutes(int minutes);
+  /// False: as of set_backup_folder().
+  bool set_idle_minutes(int minutes);
   static constexpr int kUsualIdleMinutes = 15, kMostIdleMinutes = 240;
   /// Where the daily backups of a database go; "backups" beside it unless another folder was chosen.
   std::filesystem::path backup_folder(const std::filesystem::path& database) const;
@@ -56,6 +57,9 @@ class Settings {
   void set_window(const QByteArray& geometry);
 
  private:
+  /// Writes the file at once. False: it cannot be written.
+  bool keep(const QString& key, const QVariant& value);
+
   QSettings store_;
 };
 

@@ -16,6 +16,7 @@
 #include "tests/unremovable.h"
 #include "ui/admin/recordings_card.h"
 #include "ui/admin/station_page.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::test {
@@ -116,6 +117,23 @@ TEST_F(Station, ReportsAFolderThatTheNextStartDoesNotKnow) {
   const auto kept = page();
   kept->choose_folder();
   EXPECT_EQ(kept->message(), QString());
+}
+
+TEST_F(Station, ReportsMinutesUntilTheSigningOutThatTheNextStartDoesNotKnow) {
+  QFile file(folder.filePath(QStringLiteral("a file")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  Settings lost(folder.filePath(QStringLiteral("a file/Cusp.ini")));
+  const auto choose = [&](StationPage& shown, int minutes) {
+    for (NumberField* field : shown.findChildren<NumberField*>())
+      if (field->accessibleName() == QStringLiteral("After so many minutes without input")) field->setValue(minutes);
+  };
+  StationPage shown(records.store(), admin.actor(), lost, ports);
+  choose(shown, 5);
+  EXPECT_TRUE(shown.message().contains(QStringLiteral("The minutes hold until Cusp is closed."))) << shown.message().toStdString();
+  const auto kept = page();
+  choose(*kept, 5);
+  EXPECT_EQ(kept->message(), QString());
+  EXPECT_EQ(Settings(settings.file()).idle_minutes(), 5);
 }
 
 TEST_F(Station, SaysWhyNoBackupWasMade) {
