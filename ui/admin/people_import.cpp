@@ -118,13 +118,14 @@ void PeopleImport::read_file(const QString& path) {
     band_->show_message(Band::Kind::bad, tr("%1 cannot be read.").arg(QFileInfo(path).fileName()), file.errorString());
     return;
   }
-  if (file.size() > kMostBytes) {
+  const QByteArray bytes = file.read(kMostBytes + 1);  // a device has no size, and may have no end
+  if (bytes.size() > kMostBytes) {
     band_->show_message(Band::Kind::bad, tr("%1 is too large for a list of students.").arg(QFileInfo(path).fileName()), tr("4 MB are the most."));
     return;
   }
   const auto accounts = store_.accounts.list(actor_);
   if (!accounts) return show_failure(accounts.error());
-  auto list = read_student_list(file.readAll(), *accounts);
+  auto list = read_student_list(bytes, *accounts);
   if (!list) {
     model_->set_students({});
     fit_buttons();

@@ -250,6 +250,14 @@ TEST_F(Import, makes_accounts_without_a_turn_of_the_windows_event_loop) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !page.working(); }, 60'000));
 }
 
+TEST_F(Import, reads_no_more_of_a_file_without_an_end_than_a_list_may_have) {
+  path = QStringLiteral("/dev/zero");
+  PeopleImport page(records.store(), records.administrator().actor(), ports);
+  page.choose_file();
+  EXPECT_TRUE(page.message().startsWith(QStringLiteral("zero is too large for a list of students."))) << page.message().toStdString();
+  EXPECT_TRUE(page.model().students().empty());
+}
+
 TEST_F(Import, stops_before_the_next_line) {
   PeopleImportWork work{records_of(records.store()), records.administrator().actor(), list_of("number,name\n2,Two\n3,Three\n")};
   std::stop_source stop;
