@@ -146,6 +146,19 @@ Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Act
   return out;
 }
 
+Stored<int> unreadable_assessments(Store& store, const Actor& student, const QDateTime& now) {
+  const auto assigned = store.assignments.for_student(student.id);
+  if (!assigned) return std::unexpected(assigned.error());
+  const std::int64_t now_us = now.toMSecsSinceEpoch() * 1000;
+  int out = 0;
+  for (const Assignment& a : *assigned) {
+    if (a.kind != SessionKind::assessment || a.withdrawn || (a.due_utc_us && now_us >= *a.due_utc_us)) continue;
+    const auto withdrawn = store.scenarios.withdrawn(a.version);
+    if (withdrawn && !*withdrawn && !load_exercise(store, a.version)) ++out;
+  }
+  return out;
+}
+
 std::optional<Message> why_no_practice(Store& store, const Actor& student, ScenarioId exercise) {
   const auto here = store.history.interrupted(student, student.id);
   if (!here) return describe(here.error());

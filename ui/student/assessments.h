@@ -36,6 +36,8 @@ struct AssignedAssessment {
 /// Assessments of the student's cohorts, by due date, those that are over last. Without those whose every result is released, those
 /// missed more than 30 days ago, and those of a withdrawn version that the student has not begun. One whose version cannot be read is left out. `device_class`: of this station's device.
 Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Actor& student, const QDateTime& now, const std::string& device_class);
+/// How many load_assessments() leaves out as unreadable, of those that are neither over nor withdrawn.
+Stored<int> unreadable_assessments(Store& store, const Actor& student, const QDateTime& now);
 
 /// Why the student may not practise an exercise: the own assessment of it runs, or is interrupted and not handed in on this station.
 /// nullopt: practice may start.

@@ -49,6 +49,12 @@ QString first_sentence(QString text) {
   return text;
 }
 
+void add_band(QVBoxLayout& body, const Message& message) {
+  auto* band = new Band;
+  body.addWidget(band);
+  band->show_message(Band::Kind::bad, message.what, message.more);
+}
+
 }  // namespace
 
 StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictures, const QDateTime& now,
@@ -79,9 +85,9 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
   due = due || std::ranges::any_of(course_.rows, &CourseRow::due);
   body->addWidget(new PageHead(due ? tr("Due next") : tr("Your practice"), format_day(now)));
   if (!assessments) {
-    auto* unread = new Band;
-    body->addWidget(unread);
-    unread->show_message(Band::Kind::bad, tr("Your assessments could not be read."), describe(assessments.error()).line());
+    add_band(*body, {tr("Your assessments could not be read."), describe(assessments.error()).line()});
+  } else if (const int unreadable = unreadable_assessments(store, account.actor(), now).value_or(0); unreadable > 0) {
+    add_band(*body, {tr("%n assessment(s) cannot be shown.", nullptr, unreadable), tr("This station cannot read the exercise. Ask the invigilator.")});
   }
   columns_ = new QBoxLayout(QBoxLayout::LeftToRight);
   columns_->setSpacing(px(16));

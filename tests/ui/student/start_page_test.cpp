@@ -96,20 +96,6 @@ TEST_F(StartPageCards, an_attempt_that_broke_off_after_an_hour_has_its_hours) {
   EXPECT_TRUE(plain(texts_of(assessment)).contains(QStringLiteral("It broke off after 1:01:40 h. All of it is kept."))) << texts_of(assessment).toStdString();
 }
 
-TEST_F(StartPageCards, assessments_that_cannot_be_read_are_not_taken_for_none) {
-  const auto message = [&] {
-    for (const Band* band : page()->findChildren<Band*>())
-      if (band->isVisibleTo(shown.get())) return band->text();
-    return QString();
-  };
-  EXPECT_EQ(message(), QString());
-  ASSERT_EQ(shown->findChildren<AssessmentCard*>().size(), 1);
-  ASSERT_TRUE(records.store().database().run("DROP INDEX summaries_of_assignment"));  // no attempt at an assessment is found without it
-  EXPECT_TRUE(message().startsWith(QStringLiteral("Your assessments could not be read."))) << message().toStdString();
-  EXPECT_TRUE(shown->findChildren<AssessmentCard*>().empty());
-  EXPECT_NE(shown->table(), nullptr) << "the exercises are there";
-}
-
 TEST_F(StartPageCards, an_exercise_whose_name_reads_like_a_placeholder_keeps_it) {
   records.broken_attempt(lena, "paper-block");
   HistoryRow row = load_course(records.store(), lena.actor())->interrupted.at(0);

@@ -1,0 +1,71 @@
+// The start page of a student with assessments that cannot be read.
+#include <gtest/gtest.h>
+
+#include <QTest>
+
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/write.h"
+#include "scenarios/library/library.h"
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/student/start_page.h"
+
+namespace cusp::test {
+namespace {
+
+struct UnreadAssessments : ::testing::Test {
+  UnreadAssessments() {
+    Store& store = records.store();
+    examiner = store.accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
+    cohort = store.cohorts.create(examiner, "Year 3")->id;
+    EXPECT_TRUE(store.cohorts.add(examiner, cohort, lena.id));
+    const Scenario scenario = *load_builtin("channel-1");
+    const VersionId version = store.scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes)->id;
+    EXPECT_TRUE(store.assignments.create(examiner, {.version = version, .cohort = cohort, .kind = SessionKind::assessment}, "4711"));
+  }
+  /// Of the band of a page made now; empty without one.
+  QString message() {
+    shown = std::make_unique<StartPage>(records.store(), lena, pictures, now);
+    for (const Band* band : shown->findChildren<Band*>())
+      if (band->isVisibleTo(shown.get())) return band->text();
+    return {};
+  }
+  qsizetype cards() const { return shown->findChildren<AssessmentCard*>().size(); }
+
+  DeskRecords records;
+  QTemporaryDir cache;
+  ThumbnailCache pictures{cache.path().toStdString()};
+  QDateTime now{QDate(2026, 11, 20), QTime(10, 0)};
+  Account lena = records.student("1", "Lena Brandt");
+  Actor examiner;
+  CohortId cohort;
+  std::unique_ptr<StartPage> shown;
+};
+
+TEST_F(UnreadAssessments, are_not_taken_for_none) {
+  EXPECT_EQ(message(), QString());
+  ASSERT_EQ(cards(), 1);
+  ASSERT_TRUE(records.store().database().run("DROP INDEX summaries_of_assignment"));  // no attempt at an assessment is found without it
+  const QString band = message();
+  EXPECT_TRUE(band.startsWith(QStringLiteral("Your assessments could not be read."))) << band.toStdString();
+  EXPECT_EQ(cards(), 0);
+  EXPECT_NE(shown->table(), nullptr) << "the exercises are there";
+}
+
+TEST_F(UnreadAssessments, of_a_newer_program_are_reported_until_their_time_is_over) {
+  Store& store = records.store();
+  const Scenario scenario = *load_builtin("paper-block");
+  const auto newer = store.scenarios.publish(examiner, scenario, R"({"format": 99})", content_hash(scenario).bytes);
+  ASSERT_TRUE(newer);
+  const std::int64_t due_us = (now.toMSecsSinceEpoch() + 3'600'000) * 1000;
+  ASSERT_TRUE(store.assignments.create(
+      examiner, {.version = newer->id, .cohort = cohort, .kind = SessionKind::assessment, .due_utc_us = due_us}, "4713"));
+  const QString band = message();
+  EXPECT_TRUE(band.contains(QStringLiteral("cannot be shown."))) << band.toStdString();
+  EXPECT_EQ(cards(), 1) << "of the one that can be read";
+  now = now.addSecs(3'600);
+  EXPECT_EQ(message(), QString());
+}
+
+}  // namespace
+}  // namespace cusp::test
