@@ -3,7 +3,9 @@
 #include <QCoreApplication>
 #include <QPainter>
 #include <QPdfWriter>
+#include <algorithm>
 
+#include "ui/widgets/format.h"
 #include "ui/widgets/paper.h"
 
 namespace cusp::ui {
@@ -14,25 +16,38 @@ struct SlipText {
 };
 
 constexpr int kAcross = 2, kDown = 5;
+constexpr int kWholeNumber = 18;  // characters: a line holds as many of the widest
 const QMarginsF kMarginsMm(12, 12, 12, 12);
 
-void draw_slip(QPainter& painter, const QRectF& box, const PinSlip& slip) {
-  const Tokens& t = Tokens::light();
-  painter.setPen(QPen(t.border, kPdfUnit * 0.7, Qt::DashLine));
-  painter.drawRect(box);
-  Paper paper(painter, box.adjusted(14 * kPdfUnit, 12 * kPdfUnit, -14 * kPdfUnit, -10 * kPdfUnit), kPdfUnit);
-  const Paper::Column column{paper.page().left(), paper.page().width()};
-  paper.write(slip.name, column, {14, Weight::bold, t.text});
-  paper.write(slip.cohort, column, {11, Weight::regular, t.text2});
-  paper.skip(8);
-  paper.write(SlipText::tr("Sign in to Cusp with"), column, {11, Weight::regular, t.text2});
-  paper.skip(4);
-  paper.write(SlipText::tr("Number %1").arg(slip.number), column, {14, Weight::bold, t.text});
-  paper.skip(2);
-  paper.write(SlipText::tr("PIN %1").arg(slip.pin.left(3) + QChar(0x2009) + slip.pin.mid(3)), column, {18, Weight::bold, t.text});
-}
-
 }  // namespace
+
+void draw_slip(QPainter& painter, const QRectF& box, const PinSlip& slip, double unit) {
+  const Tokens& t = Tokens::light();
+  painter.setPen(QPen(t.border, unit * 0.7, Qt::DashLine));
+  painter.drawRect(box);
+  const QRectF inside = box.adjusted(14 * unit, 12 * unit, -14 * unit, -10 * unit);
+  struct Line {
+    QString text;
+    Paper::Type type;
+    double before;  // px at 100 %, above it
+  };
+  const Line sign_in[] = {{SlipText::tr("Sign in to Cusp with"), {11, Weight::regular, t.text2}, 8},
+                          {SlipText::tr("Number %1").arg(breakable(slip.number, kWholeNumber)), {14, Weight::bold, t.text}, 4},
+                          {SlipText::tr("PIN %1").arg(slip.pin.left(3) + QChar(0x2009) + slip.pin.mid(3)), {18, Weight::bold, t.text}, 2}};
+  // A long name gives way: the PIN stands nowhere else.
+  double latest = inside.bottom();
+  Paper whole(painter, inside, unit);
+  for (const Line& line : sign_in) latest -= whole.u(line.before) + whole.height_of(line.text, inside.width(), line.type);
+  const Paper::Column column{inside.left(), inside.width()};
+  Paper about(painter, QRectF(inside.topLeft(), QPointF(inside.right(), latest)), unit);
+  about.write(slip.name, column, {14, Weight::bold, t.text});
+  if (about.y() < latest) about.write(slip.cohort, column, {11, Weight::regular, t.text2});
+  Paper below(painter, QRectF(QPointF(inside.left(), std::min(about.y(), latest)), inside.bottomRight()), unit);
+  for (const Line& line : sign_in) {
+    below.skip(line.before);
+    below.write(line.text, column, line.type);
+  }
+}
 
 Result<void, PdfFailure> write_pin_slips(const std::filesystem::path& file, const std::vector<PinSlip>& slips) {
   return write_pdf(file, {.margins_mm = kMarginsMm, .readers = Readers::owner}, [&slips](QPainter& painter, QPdfWriter& writer) {
@@ -43,7 +58,7 @@ Result<void, PdfFailure> write_pin_slips(const std::filesystem::path& file, cons
         writer.newPage();
         on_page = 0;
       }
-      draw_slip(painter, QRectF(QPointF(on_page % kAcross * box.width(), on_page / kAcross * box.height()), box), slip);
+      draw_slip(painter, QRectF(QPointF(on_page % kAcross * box.width(), on_page / kAcross * box.height()), box), slip, kPdfUnit);
       ++on_page;
     }
   });

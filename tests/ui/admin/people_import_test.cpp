@@ -6,7 +6,9 @@
 
 #include <QDeadlineTimer>
 #include <QFile>
+#include <QImage>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -151,6 +153,28 @@ TEST(StudentList, is_refused_without_heads_or_lines) {
   EXPECT_EQ(read_student_list("4711,Lena\n", {}).error().code, ListError::no_columns);
   EXPECT_EQ(read_student_list("number,name\n", {}).error().code, ListError::empty);
   EXPECT_EQ(read_student_list("", {}).error().code, ListError::empty);
+}
+
+TEST(PinSlip, shows_number_and_pin_below_the_longest_names) {
+  const auto drawn = [](const PinSlip& slip) {
+    QImage image(307, 180, QImage::Format_RGB32);  // px, of a tenth of the sheet
+    image.fill(Qt::white);
+    {
+      QPainter painter(&image);
+      draw_slip(painter, QRectF(QPointF(), image.size()), slip, 1);
+    }
+    return image;
+  };
+  const QString longest = QStringLiteral("Maximiliana ").repeated(17).left(200);  // kMostName and kMostCohortName
+  for (const PinSlip& slip : {PinSlip{QStringLiteral("Lena Brandt"), QStringLiteral("4711"), QStringLiteral("123456"), QStringLiteral("Year 3")},
+                              PinSlip{longest, QString(63, u'W') + u'1', QStringLiteral("123456"), longest}}) {
+    PinSlip other = slip;
+    other.pin = QStringLiteral("123457");
+    EXPECT_FALSE(drawn(slip) == drawn(other)) << "the PIN of " << slip.name.toStdString();
+    other = slip;
+    other.number.replace(other.number.size() - 1, 1, u'2');
+    EXPECT_FALSE(drawn(slip) == drawn(other)) << "the number of " << slip.name.toStdString();
+  }
 }
 
 struct Import : testing::Test {
