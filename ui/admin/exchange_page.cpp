@@ -257,19 +257,34 @@ void ExchangePage::open_station() {
 
 void ExchangePage::ask_for_key(const KeyToTrust& asked) {
   KeyToTrust shown = asked;
-  const int row = model_->row_of(key_id(asked.key.bytes));
-  if (row >= 0) shown.known = model_->station(row).key.role;
+  read_stations();
+  table_->choose_row(model_->row_of(key_id(asked.key.bytes)));
+  shown.known = role_of(asked.key);
   if (shown.known == KeyRole::office) shown.offered = KeyRole::office;
   shown.name = settings_.station_name(id_text(asked.key.station));
   auto* card = new TrustCard(shown);
   connect(card, &TrustCard::left, this, &ExchangePage::back_to_stations);
-  connect(card, &TrustCard::agreed, this, [this, key = asked.key](KeyRole role, const QString& name) { trust_key(key, role, name); });
+  connect(card, &TrustCard::agreed, this, [this, key = asked.key, known = shown.known](KeyRole role, const QString& name) {
+    trust_key(key, known, role, name);
+  });
   show_step(Step::key, card);
 }
 
-void ExchangePage::trust_key(const PublicKey& key, KeyRole role, const QString& name) {
+std::optional<KeyRole> ExchangePage::role_of(const PublicKey& key) const {
   const int row = model_->row_of(key_id(key.bytes));
-  const bool as_it_is = row >= 0 && model_->station(row).key.role == role;
+  return row >= 0 ? std::optional(model_->station(row).key.role) : std::nullopt;
+}
+
+void ExchangePage::trust_key(const PublicKey& key, std::optional<KeyRole> known, KeyRole role, const QString& name) {
+  read_stations();
+  if (role_of(key) != known) {
+    back_to_stations();
+    table_->choose_row(model_->row_of(key_id(key.bytes)));
+    band_->show_message(Band::Kind::look, tr("The key of %1 was changed in another window meanwhile.").arg(isolate(name_of(key.station))),
+                        tr("The list shows it as it is now. Nothing was changed here."));
+    return;
+  }
+  const bool as_it_is = known == role;
   if (const auto done = as_it_is ? Stored<void>() : trust(store_.context(), actor_, key, role); !done) {
     return show_failure({}, describe(done.error()));
   }

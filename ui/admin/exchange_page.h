@@ -67,7 +67,9 @@ class ExchangePage : public QWidget, public AtWork {
   void back_to_stations();
   void show_failure(const QString& what, const Message& message);
   void ask_for_key(const KeyToTrust& asked);
-  void trust_key(const PublicKey& key, KeyRole role, const QString& name);
+  /// `known`: as its card showed it. Nothing is written if another window has changed that since.
+  void trust_key(const PublicKey& key, std::optional<KeyRole> known, KeyRole role, const QString& name);
+  std::optional<KeyRole> role_of(const PublicKey& key) const;
   void give_out_to(ExchangeKind kind);
   void show_given_out(const Stored<GivenOut>& given);
   void look_into(const QString& path);

@@ -16,6 +16,7 @@
 #include "ui/admin/exchange_cards.h"
 #include "ui/admin/exchange_page.h"
 #include "ui/text/incident_text.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::test {
@@ -190,6 +191,22 @@ TEST_F(FilesBetweenStations, AFileOfAnUnknownStationIsReadAfterItsKeyWasMadeKnow
   press(*shown, QStringLiteral("Read it in"));
   wait_for(*shown);
   EXPECT_EQ(clinic.people(), 3u) << shown->message().toStdString();
+}
+
+TEST_F(FilesBetweenStations, AKeyThatAnotherWindowRevokedMeanwhileStaysRevoked) {
+  trust_directly(office, clinic, KeyRole::station);
+  const auto shown = page(office);
+  shown->open_station();
+  ASSERT_EQ(shown->step(), ExchangePage::Step::key);
+  ASSERT_TRUE(revoke(office.store->context(), office.admin.actor(), clinic.key()));
+  shown->findChild<TrustCard*>()->findChild<Segments*>()->choose(1);
+  press(*shown, QStringLiteral("Save"));
+  EXPECT_EQ(office.known().front().role, KeyRole::revoked);
+  EXPECT_TRUE(shown->message().contains(QStringLiteral("in another window meanwhile"))) << shown->message().toStdString();
+  EXPECT_EQ(shown->step(), ExchangePage::Step::stations);
+  shown->open_station();
+  press(*shown, QStringLiteral("It is the same: make it known"));
+  EXPECT_EQ(office.known().front().role, KeyRole::station) << "as its card shows it now";
 }
 
 TEST_F(FilesBetweenStations, GoingBackFromAnUnknownKeyChangesNothing) {
