@@ -24,7 +24,12 @@ Stored<void> write_change(Accounts& accounts, const Actor& actor, const AccountC
   using Step = std::function<Stored<void>()>;
   const Step secret = [&]() -> Stored<void> {
     if (change.secret.empty()) return {};
-    return student ? accounts.set_pin(actor, before.id, change.secret) : accounts.set_password(actor, before.id, {}, change.secret);
+    if (!student) return accounts.set_password(actor, before.id, {}, change.secret);
+    // Another desk may have made the student staff.
+    const auto now = accounts.find(before.id);
+    if (!now) return std::unexpected(now.error());
+    if (now->role != Role::student) return fail(StorageError::bad_value, "pin");
+    return accounts.set_pin(actor, before.id, change.secret);
   };
   const Step role = [&]() -> Stored<void> {
     if (change.role == before.role) return {};
