@@ -49,7 +49,7 @@ QString first_sentence(QString text) {
   return text;
 }
 
-void add_band(QVBoxLayout& body, const Message& message) {
+void add_band(QBoxLayout& body, const Message& message) {
   auto* band = new Band;
   body.addWidget(band);
   band->show_message(Band::Kind::bad, message.what, message.more);
@@ -156,6 +156,7 @@ void StartPage::make_assessments(QBoxLayout& column, const Account& account) {
 void StartPage::make_interrupted(QBoxLayout& column) {
   for (const HistoryRow& row : course_.interrupted) {
     const auto way = way_of(store_, row, device_class_);
+    if (!way) add_band(column, {tr("An interrupted attempt could not be read."), describe(way.error()).line()});
     if (!way || *way == InterruptedWay::other_engine) continue;
     auto* card = new InterruptedCard(store_, row, *way, device_class_, interrupted_ == nullptr && !assessed() ? ButtonKind::primary : ButtonKind::standard);
     connect(card, &InterruptedCard::resume_wanted, this, [this, id = row.session] { Q_EMIT resume_wanted(id); });

@@ -8,6 +8,7 @@
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "ui/student/interrupted_card.h"
 #include "ui/student/start_page.h"
 
 namespace cusp::test {
@@ -21,7 +22,17 @@ struct UnreadAssessments : ::testing::Test {
     EXPECT_TRUE(store.cohorts.add(examiner, cohort, lena.id));
     const Scenario scenario = *load_builtin("channel-1");
     const VersionId version = store.scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes)->id;
-    EXPECT_TRUE(store.assignments.create(examiner, {.version = version, .cohort = cohort, .kind = SessionKind::assessment}, "4711"));
+    exam = *store.assignments.create(examiner, {.version = version, .cohort = cohort, .kind = SessionKind::assessment}, "4711");
+  }
+  void break_off() {
+    NewSession wanted{.student = lena.id, .version = exam.version, .assignment = exam.id, .start_code = "4711"};
+    wanted.header.scene = "{}";
+    wanted.header.device.device_class = "pointer";
+    const SessionId session = records.store().sessions.start(lena.actor(), wanted)->id;
+    RecordedSecond second;
+    second.inputs.resize(1);
+    ASSERT_TRUE(records.store().traces.append(session, second));
+    ASSERT_TRUE(records.store().sessions.interrupt(session, "left"));
   }
   /// Of the band of a page made now; empty without one.
   QString message() {
@@ -39,6 +50,7 @@ struct UnreadAssessments : ::testing::Test {
   Account lena = records.student("1", "Lena Brandt");
   Actor examiner;
   CohortId cohort;
+  Assignment exam;
   std::unique_ptr<StartPage> shown;
 };
 
@@ -65,6 +77,16 @@ TEST_F(UnreadAssessments, of_a_newer_program_are_reported_until_their_time_is_ov
   EXPECT_EQ(cards(), 1) << "of the one that can be read";
   now = now.addSecs(3'600);
   EXPECT_EQ(message(), QString());
+}
+
+TEST_F(UnreadAssessments, are_reported_if_they_broke_off) {
+  break_off();
+  EXPECT_EQ(message(), QString());
+  ASSERT_EQ(shown->findChildren<InterruptedCard*>().size(), 1);
+  ASSERT_TRUE(records.store().database().run("ALTER TABLE final_volumes RENAME TO lost_volumes"));
+  const QString band = message();
+  EXPECT_TRUE(band.startsWith(QStringLiteral("An interrupted attempt could not be read."))) << band.toStdString();
+  EXPECT_TRUE(shown->findChildren<InterruptedCard*>().empty());
 }
 
 }  // namespace
