@@ -810,6 +810,13 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::Band</name>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::BandPicture</name>
     <message>
         <source>No points below</source>
@@ -4525,6 +4532,10 @@
         <source>Depth %1, force %2, %3 of the target removed. %4</source>
         <translation>Tiefe %1, Kraft %2, %3 des Ziels abgetragen. %4</translation>
     </message>
+    <message>
+        <source>Release button or pedal, then press again</source>
+        <translation>Taste oder Pedal loslassen, dann erneut drücken</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::EditorModel</name>
@@ -5220,6 +5231,14 @@
     <message>
         <source>For what has changed since, ask that station for a new file.</source>
         <translation>Für spätere Änderungen bitten Sie jene Station um eine neue Datei.</translation>
+    </message>
+    <message>
+        <source>The key of %1 was changed in another window meanwhile.</source>
+        <translation>Der Schlüssel von %1 wurde inzwischen in einem anderen Fenster geändert.</translation>
+    </message>
+    <message>
+        <source>The list shows it as it is now. Nothing was changed here.</source>
+        <translation>Die Liste zeigt ihn, wie er jetzt ist. Hier wurde nichts geändert.</translation>
     </message>
 </context>
 <context>
@@ -6741,6 +6760,14 @@
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
+    <message>
+        <source>Its handle does not report any more. Switch the handle on; there is no force meanwhile.</source>
+        <translation>Sein Griff meldet sich nicht mehr. Schalten Sie den Griff ein; bis dahin gibt es keine Kraft.</translation>
+    </message>
+    <message>
+        <source>Does not report</source>
+        <translation>Meldet sich nicht</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::LandmarkText</name>
@@ -7504,10 +7531,6 @@
         <translation>%1 wurde nicht geschrieben. Was vorher da war, ist unverändert.</translation>
     </message>
     <message>
-        <source>Try again</source>
-        <translation>Noch einmal versuchen</translation>
-    </message>
-    <message>
         <source>The entries could not be read.</source>
         <translation>Die Einträge konnten nicht gelesen werden.</translation>
     </message>
@@ -7801,10 +7824,6 @@
     <message>
         <source>No result yet, so there is nothing to draw.</source>
         <translation>Noch kein Ergebnis, also nichts zu zeichnen.</translation>
-    </message>
-    <message>
-        <source>Try again</source>
-        <translation>Noch einmal versuchen</translation>
     </message>
     <message>
         <source>Older attempts are not shown: they could not be read.</source>
@@ -8917,10 +8936,6 @@
             <numerusform>%n Versuch</numerusform>
             <numerusform>%n Versuche</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Try again</source>
-        <translation>Noch einmal versuchen</translation>
     </message>
     <message>
         <source>Older attempts are not shown: they could not be read.</source>
@@ -10849,6 +10864,25 @@ Ihr bester davor</translation>
             <numerusform>Gerät: %1, %n Versuche.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Your assessments could not be read.</source>
+        <translation>Ihre Prüfungen konnten nicht gelesen werden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n assessment(s) cannot be shown.</source>
+        <translation>
+            <numerusform>%n Prüfung kann nicht angezeigt werden.</numerusform>
+            <numerusform>%n Prüfungen können nicht angezeigt werden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This station cannot read the exercise. Ask the invigilator.</source>
+        <translation>Diese Station kann die Übung nicht lesen. Fragen Sie die Aufsicht.</translation>
+    </message>
+    <message>
+        <source>An interrupted attempt could not be read.</source>
+        <translation>Ein unterbrochener Versuch konnte nicht gelesen werden.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::StationPage</name>
@@ -10988,6 +11022,14 @@ Ihr bester davor</translation>
         <source>%1: %2.</source>
         <translation>%1: %2.</translation>
     </message>
+    <message>
+        <source>The minutes hold until Cusp is closed.</source>
+        <translation>Die Minuten gelten, bis Cusp geschlossen wird.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written, so the next start does not know them.</source>
+        <translation>%1 kann nicht geschrieben werden, darum kennt der nächste Start sie nicht.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::StationsModel</name>
@@ -11125,6 +11167,14 @@ Ihr bester davor</translation>
     <message>
         <source>Plug in the same Falcon: it has no serial number of its own, and another one at its USB port would be taken for it.</source>
         <translation>Schließen Sie denselben Falcon an: Er hat keine eigene Seriennummer, und ein anderer an seinem USB-Anschluss würde für ihn gehalten.</translation>
+    </message>
+    <message>
+        <source>The handle of the device does not answer</source>
+        <translation>Der Griff des Geräts antwortet nicht</translation>
+    </message>
+    <message>
+        <source>The force is off and the clock stands still. Switch the handle on again, then resume.</source>
+        <translation>Die Kraft ist aus und die Uhr steht. Den Griff wieder einschalten, dann fortsetzen.</translation>
     </message>
 </context>
 <context>

@@ -617,6 +617,13 @@
             <numerusform>%1 only, %n attempts.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n assessment(s) cannot be shown.</source>
+        <translation>
+            <numerusform>%n assessment cannot be shown.</numerusform>
+            <numerusform>%n assessments cannot be shown.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::StationPage</name>
