@@ -88,16 +88,19 @@ bool carve_pending(StepState::Inner& state, int bricks) noexcept {
 
 constexpr int kAllBricks = 1 << 30;
 
-/// Bricks a tick that carve a sweep well before the next one is queued. At 5 mm/s a sweep of kLeastBallSweepMm lasts 12 ticks, and
-/// a ball's front half changes some two bricks for each that its width covers. A slower pace makes more ticks carve and look at
-/// cells anew, and the next sweep carves the rest at once. Of another head all: each part costs as much again for the cells beside it.
+/// Ticks that carve what a ball's front covers. At 5 mm/s a sweep of kLeastBallSweepMm lasts 12 ticks and changes 0.6 to 0.8 of the
+/// front's bricks (round 4 to 8, mean); a slower pace makes more ticks carve (tests/engine/step/tick_work.cpp).
+constexpr double kFrontTicks = 6.0;
+
+/// Bricks a tick that carve a sweep well before the next one is queued, which carves the rest at once. Of another head all: each
+/// part costs as much again for the cells beside it.
 int bricks_a_tick(const StepState::Inner& state) noexcept {
   const StepState::Inner::PendingSweep& sweep = state.pending_sweep;
   const double side = kBrickEdge * state.volume.grid().voxel_mm;
   const Bur& bur = state.scene->burs[sweep.bur];
   const double across = 2.0 * bur.radius_mm / side + 1.0, front = across * across;
   // A small ball's front lies in few bricks.
-  return !bur.head.ball() || front < 10.0 ? kAllBricks : 1 + static_cast<int>(front / 6.0);
+  return !bur.head.ball() || front < 10.0 ? kAllBricks : 1 + static_cast<int>(front / kFrontTicks);
 }
 
 /// Queues the sweep from cut_from to cut_pose, after carving the one that was pending. False if the volume had no room.
