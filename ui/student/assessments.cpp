@@ -113,8 +113,7 @@ QString time_limit_text(const AssignedAssessment& a) {
   return AssessmentCard::tr("%1 (%2 % extra time)").arg(text).arg(a.adjustment.extra_time_percent);
 }
 
-Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Actor& student, const QDateTime& now,
-                                                         const std::string& device_class) {
+Stored<AssignedAssessments> load_assessments(Store& store, const Actor& student, const QDateTime& now, const std::string& device_class) {
   const auto assigned = store.assignments.for_student(student.id);
   if (!assigned) return std::unexpected(assigned.error());
   auto newest = store.device_tests.newest(device_class);
@@ -122,7 +121,8 @@ Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Act
   const Device device{device_class, std::move(*newest)};
   const auto here = store.history.interrupted(student, student.id);
   if (!here) return std::unexpected(here.error());
-  std::vector<AssignedAssessment> out;
+  const std::int64_t now_us = now.toMSecsSinceEpoch() * 1000;
+  AssignedAssessments out;
   for (const Assignment& a : *assigned) {
     if (a.kind != SessionKind::assessment) continue;
     const auto attempts = store.history.of_assignment(student, a.id);
@@ -131,31 +131,21 @@ Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Act
     if (!withdrawn) return std::unexpected(withdrawn.error());
     if ((*withdrawn || a.withdrawn) && attempts->empty()) continue;
     auto exercise = load_exercise(store, a.version);
-    if (!exercise) continue;
+    if (!exercise) {
+      const bool over = *withdrawn || a.withdrawn || (a.due_utc_us && now_us >= *a.due_utc_us);
+      out.unreadable += over ? 0 : 1;
+      continue;
+    }
     AssignedAssessment one{a, std::move(*exercise), static_cast<int>(attempts->size())};
     one.adjustment = store.assignments.adjustment(a.id, student.id).value_or(Adjustment{});
-    one.state = state_of(a, *attempts, *here, now.toMSecsSinceEpoch() * 1000, device);
+    one.state = state_of(a, *attempts, *here, now_us, device);
     if (one.state == State::interrupted) one.resumable = can_continue(store, *attempts, *here, device_class);
     const bool every_released = !attempts->empty() && std::ranges::all_of(*attempts, &HistoryRow::released);
     if (one.state == State::handed_in && every_released) continue;  // it stands among the results
-    const std::int64_t now_us = now.toMSecsSinceEpoch() * 1000;
     if (one.state == State::missed && now_us - *a.due_utc_us > kMissedShownUs) continue;
-    out.push_back(std::move(one));
+    out.shown.push_back(std::move(one));
   }
-  std::ranges::stable_partition(out, [](const AssignedAssessment& a) { return a.state != State::missed && a.state != State::handed_in; });
-  return out;
-}
-
-Stored<int> unreadable_assessments(Store& store, const Actor& student, const QDateTime& now) {
-  const auto assigned = store.assignments.for_student(student.id);
-  if (!assigned) return std::unexpected(assigned.error());
-  const std::int64_t now_us = now.toMSecsSinceEpoch() * 1000;
-  int out = 0;
-  for (const Assignment& a : *assigned) {
-    if (a.kind != SessionKind::assessment || a.withdrawn || (a.due_utc_us && now_us >= *a.due_utc_us)) continue;
-    const auto withdrawn = store.scenarios.withdrawn(a.version);
-    if (withdrawn && !*withdrawn && !load_exercise(store, a.version)) ++out;
-  }
+  std::ranges::stable_partition(out.shown, [](const AssignedAssessment& a) { return a.state != State::missed && a.state != State::handed_in; });
   return out;
 }
 

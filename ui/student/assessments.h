@@ -33,11 +33,14 @@ struct AssignedAssessment {
   bool resumable = true;  // of interrupted: false if this station can only hand it in, or draws no tooth
 };
 
-/// Assessments of the student's cohorts, by due date, those that are over last. Without those whose every result is released, those
-/// missed more than 30 days ago, and those of a withdrawn version that the student has not begun. One whose version cannot be read is left out. `device_class`: of this station's device.
-Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Actor& student, const QDateTime& now, const std::string& device_class);
-/// How many load_assessments() leaves out as unreadable, of those that are neither over nor withdrawn.
-Stored<int> unreadable_assessments(Store& store, const Actor& student, const QDateTime& now);
+struct AssignedAssessments {
+  std::vector<AssignedAssessment> shown;  // by due date, those that are over last
+  int unreadable = 0;                     // not over, but this program cannot read their version
+};
+
+/// Assessments of the student's cohorts. Without those whose every result is released, those missed more than 30 days ago, and those of
+/// a withdrawn version that the student has not begun. `device_class`: of this station's device.
+Stored<AssignedAssessments> load_assessments(Store& store, const Actor& student, const QDateTime& now, const std::string& device_class);
 
 /// Why the student may not practise an exercise: the own assessment of it runs, or is interrupted and not handed in on this station.
 /// nullopt: practice may start.

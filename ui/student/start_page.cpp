@@ -72,7 +72,7 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
   }
   course_ = std::move(*course);
   auto assessments = load_assessments(store, account.actor(), now, device_class_);
-  if (assessments) assessments_ = std::move(*assessments);
+  if (assessments) assessments_ = std::move(assessments->shown);
   const int next = course_.next();
   if (next >= 0) {
     next_ = course_.rows[static_cast<std::size_t>(next)];
@@ -86,8 +86,8 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
   body->addWidget(new PageHead(due ? tr("Due next") : tr("Your practice"), format_day(now)));
   if (!assessments) {
     add_band(*body, {tr("Your assessments could not be read."), describe(assessments.error()).line()});
-  } else if (const int unreadable = unreadable_assessments(store, account.actor(), now).value_or(0); unreadable > 0) {
-    add_band(*body, {tr("%n assessment(s) cannot be shown.", nullptr, unreadable), tr("This station cannot read the exercise. Ask the invigilator.")});
+  } else if (assessments->unreadable > 0) {
+    add_band(*body, {tr("%n assessment(s) cannot be shown.", nullptr, assessments->unreadable), tr("This station cannot read the exercise. Ask the invigilator.")});
   }
   columns_ = new QBoxLayout(QBoxLayout::LeftToRight);
   columns_->setSpacing(px(16));

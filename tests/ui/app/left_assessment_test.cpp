@@ -69,7 +69,7 @@ struct LeftAssessment : ::testing::Test {
     return question->isVisible() ? question->findChild<Band*>()->text() : QString();
   }
   void sit() {
-    desktop->sit(load_assessments(records.store(), lena.actor(), QDateTime::currentDateTime(), "pointer")->at(0));
+    desktop->sit(load_assessments(records.store(), lena.actor(), QDateTime::currentDateTime(), "pointer")->shown.at(0));
     EXPECT_EQ(type_code(QStringLiteral("4711"), QStringLiteral("Begin")), QString());
     ASSERT_TRUE(drills());
   }

@@ -40,7 +40,7 @@ class Assessments : public testing::Test {
     assignment = *records.store().assignments.create(examiner, a, "4711");
   }
   std::vector<AssignedAssessment> at(std::int64_t utc_us, const std::string& device_class = "pointer") {
-    return *load_assessments(records.store(), lena.actor(), QDateTime::fromMSecsSinceEpoch(utc_us / 1000), device_class);
+    return load_assessments(records.store(), lena.actor(), QDateTime::fromMSecsSinceEpoch(utc_us / 1000), device_class)->shown;
   }
   /// The exercise with a time limit, as its next version.
   Stored<ScenarioVersion> publish_newer() {

@@ -24,16 +24,6 @@ struct UnreadAssessments : ::testing::Test {
     const VersionId version = store.scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes)->id;
     exam = *store.assignments.create(examiner, {.version = version, .cohort = cohort, .kind = SessionKind::assessment}, "4711");
   }
-  void break_off() {
-    NewSession wanted{.student = lena.id, .version = exam.version, .assignment = exam.id, .start_code = "4711"};
-    wanted.header.scene = "{}";
-    wanted.header.device.device_class = "pointer";
-    const SessionId session = records.store().sessions.start(lena.actor(), wanted)->id;
-    RecordedSecond second;
-    second.inputs.resize(1);
-    ASSERT_TRUE(records.store().traces.append(session, second));
-    ASSERT_TRUE(records.store().sessions.interrupt(session, "left"));
-  }
   /// Of the band of a page made now; empty without one.
   QString message() {
     shown = std::make_unique<StartPage>(records.store(), lena, pictures, now);
@@ -79,8 +69,8 @@ TEST_F(UnreadAssessments, of_a_newer_program_are_reported_until_their_time_is_ov
   EXPECT_EQ(message(), QString());
 }
 
-TEST_F(UnreadAssessments, are_reported_if_they_broke_off) {
-  break_off();
+TEST_F(UnreadAssessments, are_joined_by_an_interrupted_attempt_that_cannot_be_read) {
+  records.broken_attempt(lena, "paper-block");
   EXPECT_EQ(message(), QString());
   ASSERT_EQ(shown->findChildren<InterruptedCard*>().size(), 1);
   ASSERT_TRUE(records.store().database().run("ALTER TABLE final_volumes RENAME TO lost_volumes"));
