@@ -32,6 +32,16 @@
 namespace cusp::test {
 namespace {
 
+/// A band across the top of a page.
+Band* add_band_to(QWidget& page) {
+  auto* column = new QVBoxLayout(&page);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* band = new Band;
+  column->addWidget(band);
+  column->addStretch();
+  return band;
+}
+
 TEST(Gauge, describes_itself_to_a_screen_reader_with_its_name_value_and_range) {
   Gauge gauge(QStringLiteral("Depth"), QStringLiteral("mm"), Gauge::Grows::down);
   gauge.set_scale({.least = 0, .most = 3, .major_step = 0.5});
@@ -56,11 +66,7 @@ TEST(Gauge, without_a_value_shows_a_dash_and_takes_no_nonsense) {
 
 TEST(Band, puts_buttons_that_take_more_than_half_of_its_width_below_its_text) {
   QWidget page;
-  auto* column = new QVBoxLayout(&page);
-  column->setContentsMargins(0, 0, 0, 0);
-  auto* band = new Band;
-  column->addWidget(band);
-  column->addStretch();
+  Band* band = add_band_to(page);
   std::vector<QPushButton*> buttons;
   for (const char* name : {"Keep", "See", "Replace"}) {
     buttons.push_back(make_button(QLatin1String(name)));
@@ -88,11 +94,7 @@ TEST(Band, with_a_name_of_60_letters_takes_lines_and_does_not_widen_the_page) {
   constexpr int kWidth = 480;  // half of full HD at 200 %; the name alone takes some 840 px
   const QString name(60, u'W');
   QWidget page;
-  auto* column = new QVBoxLayout(&page);
-  column->setContentsMargins(0, 0, 0, 0);
-  auto* band = new Band;
-  column->addWidget(band);
-  column->addStretch();
+  Band* band = add_band_to(page);
   page.resize(kWidth, 300);
   page.show();
   band->show_message(Band::Kind::good, QStringLiteral("%1 is saved.").arg(name), QStringLiteral("%1 can sign in.").arg(name));
