@@ -92,8 +92,8 @@ void PublishSheet::fit_height() {
 }
 
 void PublishSheet::showEvent(QShowEvent* event) {
-  fit_height();  // the theme's fonts are known only now; first, for QDialog places it by its size
   QDialog::showEvent(event);
+  fit_height();  // the theme's fonts are known only now
 }
 
 void PublishSheet::add_changes(QVBoxLayout& column) {

@@ -253,8 +253,8 @@ void TemplateDialog::order_fields() {
 }
 
 void TemplateDialog::showEvent(QShowEvent* event) {
-  fit_height();  // the theme's fonts are known only now; first, for QDialog places it by its size
   QDialog::showEvent(event);
+  fit_height();  // the theme's fonts are known only now
 }
 
 void TemplateDialog::fit_height() {

@@ -6,7 +6,6 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QTest>
-#include <cstdlib>
 
 #include "scenarios/templates/templates.h"
 #include "tests/ui/editor/editor_pages.h"
@@ -94,16 +93,6 @@ void TemplateDialogs::leave_pictures() {
   const auto editor = open(wanted->at(0).at(0).value<EditorStart>());
   QTest::qWait(2000);  // the view draws the target when it rests
   leave_picture(*editor, QStringLiteral("template-editor"));
-}
-
-TEST_F(TemplateDialogs, stand_over_the_middle_of_their_window_with_the_size_that_they_keep) {
-  apply_theme(*qApp, ColourScheme::light, 150);
-  page->resize(780, 700);
-  page->move(0, 50);
-  ask();
-  const int off = dialog->geometry().center().y() - page->window()->geometry().center().y();
-  EXPECT_LE(std::abs(off), 20) << "QDialog allows some 20 px for a frame";
-  apply_theme(*qApp, ColourScheme::light, 100);
 }
 
 TEST_F(TemplateDialogs, make_a_draft_that_opens_in_the_editor_and_is_kept_like_any_other) {
