@@ -21,6 +21,15 @@ struct RefusedCall {
   std::uint32_t error;
 };
 
+/// The calls that make a hard link. EPERM: as on FAT, which has none.
+inline std::vector<RefusedCall> links_refused(std::uint32_t error) {
+  std::vector<RefusedCall> calls = {{SYS_linkat, error}};
+#ifdef SYS_link
+  calls.push_back({SYS_link, error});
+#endif
+  return calls;
+}
+
 /// Of this thread alone, until it ends. False: the kernel admits no filter.
 inline bool refuse_calls(const std::vector<RefusedCall>& calls) {
   std::vector<sock_filter> program;

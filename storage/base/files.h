@@ -32,7 +32,9 @@ Stored<void> make_private_file(const std::filesystem::path& file);
 /// Makes a folder that only its owner can enter. duplicate if the name is taken.
 Stored<void> make_private_folder(const std::filesystem::path& folder);
 
-/// Renames `from` to `to`, in one file system, and syncs the folder. duplicate if `to` exists; `from` then stays.
+/// Renames `from` to `to`, in one file system, and syncs the folder. duplicate if `to` exists; `from` then stays. A process that is killed
+/// leaves `to` whole or not there. On a drive with neither links nor RENAME_NOREPLACE (old FUSE drivers), a file that another program
+/// than Cusp creates in that very moment is replaced.
 Stored<void> rename_new(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Writes a file that only its owner can read; synced when it returns, never half written. duplicate if the file exists.

@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <linux/magic.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/vfs.h>
 #include <unistd.h>
@@ -78,32 +79,37 @@ bool write_through(int descriptor, const std::string& content) {
   return fsync(descriptor) == 0;
 }
 
-/// link() fails with one of these where the file system has no hard links, as FAT, or this file may get no more.
-bool lacks_links(int error) {
-  return error == EPERM || error == EOPNOTSUPP || error == ENOSYS || error == EMLINK;
-}
-
-/// rename() replaces only the empty file that this process has created.
-bool rename_over_own(const char* from, const char* to) {
-  const int own = open(to, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
-  if (own < 0) return false;
-  close(own);
-  if (rename(from, to) == 0) return true;
+/// For a drive that knows neither link() nor RENAME_NOREPLACE: asks, then renames. The folder's lock keeps other programs of Cusp out
+/// between the two, and ends with its process: one that is killed leaves nothing of the name.
+bool rename_if_free(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::error_code ignored;
+  const int folder = open(std::filesystem::absolute(to, ignored).parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  // Some network drives lock no folder: then only the moment between the two is open.
+  if (folder >= 0) flock(folder, LOCK_EX);
+  struct stat there{};
+  bool done = false;
+  if (lstat(to.c_str(), &there) == 0) {
+    errno = EEXIST;
+  } else if (errno == ENOENT) {
+    done = rename(from.c_str(), to.c_str()) == 0;
+  }
   const int error = errno;
-  unlink(to);
+  if (folder >= 0) close(folder);
   errno = error;
-  return false;
+  return done;
 }
 
-/// Each way fails with EEXIST if another process created `to` meanwhile.
-bool take_name(const char* from, const char* to) {
-  if (link(from, to) == 0) {
-    unlink(from);
+/// Each way fails with EEXIST if another process created `to` meanwhile. A drive that refuses a link for another reason, as FAT each and AFS
+/// one between two folders, may still rename.
+bool take_name(const std::filesystem::path& from, const std::filesystem::path& to) {
+  if (link(from.c_str(), to.c_str()) == 0) {
+    unlink(from.c_str());
     return true;
   }
-  if (!lacks_links(errno)) return false;
-  if (renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0) return true;
-  return (errno == EINVAL || errno == ENOSYS) && rename_over_own(from, to);
+  if (errno == EEXIST) return false;
+  if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+  const bool unknown = errno == EINVAL || errno == ENOSYS || errno == EOPNOTSUPP;
+  return unknown && rename_if_free(from, to);
 }
 
 }  // namespace
@@ -185,7 +191,7 @@ Stored<void> make_private_folder(const std::filesystem::path& folder) {
 }
 
 Stored<void> rename_new(const std::filesystem::path& from, const std::filesystem::path& to) {
-  if (!take_name(from.c_str(), to.c_str())) return std::unexpected(failure_now(to));
+  if (!take_name(from, to)) return std::unexpected(failure_now(to));
   std::error_code ignored;
   const auto folder = std::filesystem::absolute(to, ignored).parent_path();
   if (const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); descriptor >= 0) {

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "storage/backup/backup.h"
+#include "storage/base/files.h"
 #include "tests/refused_calls.h"
 #include "tests/storage/killed.h"
 #include "tests/storage/sample.h"
@@ -158,13 +159,9 @@ TEST_F(BackupLeftTest, takes_the_place_of_the_file_that_a_link_leads_to) {
 /// Kills a process that calls `restore` with work on the copy, when the copy's first file takes its name by a hard link. False where the
 /// kernel admits no filter.
 bool is_killed_at_its_first_name(const std::function<void(const FinishRestored&)>& restore) {
-  std::vector<RefusedCall> links = {{SYS_linkat, kKills}};
-#ifdef SYS_link
-  links.push_back({SYS_link, kKills});
-#endif
   const Killed killed = kill_after(2, 0, [&](const std::function<bool()>& step) {
     restore([&](const fs::path&) -> Stored<void> {
-      refuse_calls(links);
+      refuse_calls(links_refused(kKills));
       return {};
     });
     static_cast<void>(step());
@@ -342,6 +339,29 @@ TEST_F(NewNameKilled, before_its_first_name_claims_no_key_that_comes_later) {
   EXPECT_EQ(code_of(again), StorageError::duplicate);
   EXPECT_EQ(again.error().where, file.string() + ".key");
   EXPECT_FALSE(fs::exists(file));
+}
+
+/// An old FUSE driver: neither hard links nor RENAME_NOREPLACE.
+TEST(NewNames, are_free_or_whole_files_after_a_process_was_killed_that_took_them_on_a_drive_without_links) {
+  const Folder folder;
+  const fs::path file = folder / "new.db.key";
+  std::vector<RefusedCall> calls = links_refused(EPERM);
+  calls.push_back({SYS_renameat2, EINVAL});
+#ifdef SYS_rename
+  calls.push_back({SYS_rename, kKills});
+#endif
+#ifdef SYS_renameat
+  calls.push_back({SYS_renameat, kKills});
+#endif
+  const Killed killed = kill_after(2, 0, [&](const std::function<bool()>& step) {
+    refuse_calls(calls);
+    static_cast<void>(write_private_file(file, "secret"));
+    static_cast<void>(step());
+  });
+  if (!killed.by_signal || killed.steps > 0) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  EXPECT_FALSE(fs::exists(file)) << "an empty key refuses the next start";
+  must(write_private_file(file, "secret"));
+  EXPECT_EQ(must(read_private_file(file)), "secret");
 }
 
 TEST_F(BackupLeftTest, a_first_start_beside_records_that_a_person_put_aside_is_a_first_start) {

@@ -44,12 +44,10 @@ struct BackupTest : ::testing::Test {
   const std::vector<std::string> whole = {"new.db", "new.db.key", "new.db.key-counter"};
 };
 
-/// As on FAT, where link() fails with EPERM. False: `work` was not called.
-bool without_links(std::vector<RefusedCall> calls, const std::function<void()>& work) {
-  calls.push_back({SYS_linkat, EPERM});
-#ifdef SYS_link
-  calls.push_back({SYS_link, EPERM});
-#endif
+/// Where link() fails with this errno. False: `work` was not called.
+bool without_links(std::uint32_t error, const std::vector<RefusedCall>& more, const std::function<void()>& work) {
+  std::vector<RefusedCall> calls = links_refused(error);
+  calls.insert(calls.end(), more.begin(), more.end());
   bool refused = false;
   std::thread([&] {
     refused = refuse_calls(calls);
@@ -237,12 +235,18 @@ TEST_F(BackupTest, leaves_no_file_where_the_work_after_restoring_fails) {
 
 TEST_F(BackupTest, is_made_and_restored_on_a_drive_without_hard_links) {
   complete_session(*store, lena, version);
-  // The second drive knows no RENAME_NOREPLACE either.
-  for (const std::vector<RefusedCall>& more : {std::vector<RefusedCall>{}, std::vector<RefusedCall>{{SYS_renameat2, EINVAL}}}) {
-    const fs::path file = folder / ("new.db" + std::to_string(more.size()));
+  struct Drive {
+    std::uint32_t error;
+    std::vector<RefusedCall> more;
+  };
+  int drives = 0;
+  // FAT; a share without links; FUSE; AFS, which links within one folder alone; an old FUSE driver, which has no RENAME_NOREPLACE either.
+  for (const Drive& drive : {Drive{EPERM, {}}, Drive{EOPNOTSUPP, {}}, Drive{ENOSYS, {}}, Drive{EXDEV, {}}, Drive{EPERM, {{SYS_renameat2, EINVAL}}}}) {
+    SCOPED_TRACE(drives);
+    const fs::path file = folder / ("new.db" + std::to_string(drives++));
     Stored<Backup> backup = fail(StorageError::io, "not made");
     Stored<void> restored, again, taken;
-    const bool ran = without_links(more, [&] {
+    const bool ran = without_links(drive.error, drive.more, [&] {
       backup = make_backup(store->context(), administrator, into());
       if (backup) restored = restore_backup(*backup, file);
       if (backup) again = restore_backup(*backup, file);

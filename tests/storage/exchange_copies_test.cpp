@@ -77,6 +77,23 @@ TEST_F(ExchangeCopies, a_file_that_the_disk_keeps_the_log_of_has_no_last_work) {
   EXPECT_FALSE(fs::exists(file));
 }
 
+TEST_F(ExchangeCopies, a_file_is_given_out_once_under_its_name_on_a_drive_without_hard_links) {
+  trust_each_other();
+  const fs::path file = next_file();
+  bool refused = false;
+  Stored<GivenOut> given = fail(StorageError::io, "not given out"), again = given;
+  std::thread([&] {
+    refused = refuse_calls(links_refused(EPERM));
+    if (!refused) return;
+    given = give_out(station->context(), keeper, ExchangeKind::results, file);
+    again = give_out(station->context(), keeper, ExchangeKind::results, file);
+  }).join();
+  if (!refused) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  must(given);
+  EXPECT_EQ(code_of(again), StorageError::duplicate);
+  EXPECT_EQ(at_office(file).outcome, ReadOutcome::read);
+}
+
 TEST_F(ExchangeCopies, giving_out_takes_away_what_a_killed_program_left_a_day_ago) {
   const fs::path left = folder / (".cusp-copy-" + Uuid::v7().text()), being_written = folder / (".cusp-copy-" + Uuid::v7().text()),
                  notes = folder / ".cusp-copy-notes";
