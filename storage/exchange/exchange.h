@@ -21,7 +21,8 @@ struct GivenOut {
 };
 
 /// Writes a new file, and the entry "exchange_given_out". Needs manage_station. duplicate if the file exists; a failure
-/// leaves no file. read_only without the station's key.
+/// leaves no file. read_only without the station's key. A file in the same folder whose program was killed between entry and name gets its
+/// name first; duplicate, detail "finished" (where = its name): it is this one, and holds what the records held then.
 Stored<GivenOut> give_out(StorageContext& context, const Actor& actor, ExchangeKind kind, const std::filesystem::path& file);
 
 enum class ReadOutcome : std::uint8_t {

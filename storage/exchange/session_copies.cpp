@@ -5,6 +5,8 @@
 
 #include "storage/base/files.h"
 #include "storage/base/left_folders.h"
+#include "storage/base/process.h"
+#include "storage/exchange/unnamed_copies.h"
 
 namespace cusp::storage {
 namespace {
@@ -49,10 +51,6 @@ constexpr std::array kCopies = {
     "INSERT OR IGNORE INTO session_summaries SELECT * FROM source.session_summaries WHERE session = ?1",
 };
 
-/// A copy is made in a folder beside its name: a UUID follows.
-constexpr std::string_view kCopying = ".cusp-copy-";
-constexpr const char* kCopied = "copy.db";
-
 /// In the older journal mode the file needs no log beside it.
 Stored<void> fill_new(const fs::path& file, const fs::path& from, const OnCopy& fill, const OnCopy& finish) {
   auto to = Database::open(file, {.on_network_drive = admits_network_drive});
@@ -64,7 +62,21 @@ Stored<void> fill_new(const fs::path& file, const fs::path& from, const OnCopy& 
   std::error_code error;
   // SQLite keeps its log if it could not write all of it into the database.
   if (fs::exists(file.string() + "-wal", error)) return fail(StorageError::io, file.string());
-  return finish ? finish(*to) : Stored<void>{};
+  return finish(*to);
+}
+
+/// Until the copy has its name, its process holds a lock: nobody else gives it one meanwhile.
+Stored<void> make_and_name(const fs::path& copy, const fs::path& real, const fs::path& from, const OnCopy& fill, const OnCopy& finish) {
+  const ProcessMark mark(lock_of_copy(copy));
+  const auto last = [&](Database& to) -> Stored<void> {
+    std::error_code error;
+    if (fs::exists(real, error)) return fail(StorageError::duplicate, real.string());
+    if (!finish) return {};
+    auto noted = note_name(copy, real, mark.text());
+    return noted ? finish(to) : noted;
+  };
+  auto done = fill_new(copy, from, fill, last);
+  return done ? rename_new(copy, real) : done;
 }
 
 /// People know the name that they gave.
@@ -82,8 +94,7 @@ Stored<void> make_copy(const fs::path& file, const fs::path& from, const OnCopy&
   remove_left_folders(parent, kCopying, [](std::string_view name) { return name.starts_with(kCopied); });
   const fs::path folder = parent / (std::string(kCopying) + Uuid::v7().text());
   if (auto made = make_private_folder(folder); !made) return std::unexpected(failure_of_copy(made.error(), file));
-  auto done = fill_new(folder / kCopied, from, fill, finish);
-  if (done) done = rename_new(folder / kCopied, real);
+  const auto done = make_and_name(folder / kCopied, real, from, fill, finish);
   fs::remove_all(folder, error);
   if (done) return done;
   const std::string& where = done.error().where;

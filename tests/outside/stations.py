@@ -106,6 +106,18 @@ def changed(desk, file):
     return other
 
 
+def finish_what_was_killed(desk, station):
+    """A file that a killed program had logged and not yet named gets its name, and whoever asks for the name reads that."""
+    file, _ = station.out("--results")
+    left = desk.path(".cusp-copy-019a9f3c-6a00-7c41-9b1e-000000000000")
+    os.mkdir(left)
+    os.rename(file, os.path.join(left, "copy.db"))
+    with open(os.path.join(left, "copy.db.name"), "w", encoding="utf-8") as f:
+        f.write("a process that has ended\n" + os.path.basename(file))
+    check("interrupted earlier" in station.refused("out", "--results", file), "a file that was not named yet")
+    check(os.path.exists(file) and not os.path.exists(left), "a file that was not named yet has no name still")
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("cusp")
@@ -156,6 +168,7 @@ def main():
         check(status == 2, f"trusted and revoked at once: exit {status}: {err}")
         check("cannot be written: No such file" in office.refused("out", "--results", desk.path("none", "x")), "a folder that is not there")
         check("cannot be written: No such file" in office.refused("key", desk.path("none", "x")), "a key into a folder that is not there")
+        finish_what_was_killed(desk, office)
         check_whole(office)
         print(f"three stations: {len(office.sessions())} attempts at the office, {os.path.getsize(results) / 1e6:.1f} MB in the last file")
 

@@ -4,12 +4,17 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <fstream>
+#include <functional>
 #include <thread>
 #include <vector>
 
+#include "storage/exchange/exchange_file.h"
 #include "storage/exchange/session_copies.h"
+#include "storage/exchange/unnamed_copies.h"
 #include "tests/refused_calls.h"
+#include "tests/storage/killed.h"
 #include "tests/storage/two_stations.h"
 
 namespace cusp::test {
@@ -37,6 +42,21 @@ TEST_F(ExchangeCopies, a_file_takes_its_name_once_it_is_whole) {
   ASSERT_EQ(code_of(late), StorageError::duplicate);
   EXPECT_EQ(late.error().where, taken.string());
   EXPECT_EQ(fs::file_size(taken), 17u) << "another program's stays";
+}
+
+TEST_F(ExchangeCopies, a_file_whose_name_is_taken_meanwhile_has_no_last_work) {
+  const fs::path taken = next_file();
+  const auto fill = [&](Database&) -> Stored<void> {
+    std::ofstream(taken) << "another program's";
+    return {};
+  };
+  bool finished = false;
+  const auto done = make_copy(taken, folder / "office.db", fill, [&](Database&) -> Stored<void> {
+    finished = true;
+    return {};
+  });
+  EXPECT_EQ(code_of(done), StorageError::duplicate);
+  EXPECT_FALSE(finished) << "the audit log would name a file that nobody has";
 }
 
 TEST_F(ExchangeCopies, a_file_is_whole_and_has_no_log_when_its_last_work_begins) {
@@ -113,6 +133,92 @@ TEST_F(ExchangeCopies, giving_out_takes_away_what_a_killed_program_left_a_day_ag
   const auto copies = std::count_if(fs::directory_iterator(next_file().parent_path()), fs::directory_iterator(),
                                     [](const fs::directory_entry& entry) { return entry.path().filename().string().starts_with(".cusp-copy-"); });
   EXPECT_EQ(copies, 2) << "its own folder is gone";
+}
+
+/// A program that is killed after it has logged a file and before the file has its name.
+struct GivingOutKilled : TwoStations {
+  const fs::path file = folder / "results";
+
+  void SetUp() override {
+    trust_each_other();
+    attempt(make_student(*station, "2", "Omar"));
+  }
+  /// False where the kernel admits no filter.
+  bool is_killed() {
+    station.reset();
+    const Killed killed = kill_after(2, 0, [&](const std::function<bool()>& step) {
+      const auto own = open(folder / "station.db");
+      refuse_calls(links_refused(kKills));
+      static_cast<void>(give_out(own->context(), keeper, ExchangeKind::results, file));
+      static_cast<void>(step());
+    });
+    station = open(folder / "station.db");
+    return killed.by_signal && killed.steps == 0;
+  }
+  int given_out() {
+    return must(station->database().first("SELECT count(*) FROM audit_log WHERE action = 'exchange_given_out'", [](Row row) { return static_cast<int>(row.integer(0)); })).value_or(-1);
+  }
+  /// Folders in which a file is made.
+  std::ptrdiff_t copies() {
+    return std::count_if(fs::directory_iterator(file.parent_path()), fs::directory_iterator(),
+                         [](const fs::directory_entry& entry) { return entry.path().filename().string().starts_with(kCopying); });
+  }
+};
+
+TEST_F(GivingOutKilled, is_finished_by_the_next_call_for_the_name_which_names_that) {
+  if (!is_killed()) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  ASSERT_FALSE(fs::exists(file));
+  ASSERT_EQ(given_out(), 1);
+  const auto again = give_out(station->context(), keeper, ExchangeKind::results, file);
+  ASSERT_EQ(code_of(again), StorageError::duplicate);
+  EXPECT_EQ(again.error().detail, "finished");
+  EXPECT_EQ(again.error().where, "results");
+  EXPECT_EQ(given_out(), 1) << "the log names each file once";
+  EXPECT_EQ(copies(), 0);
+  EXPECT_EQ(mode_of(file), 0600u);
+  EXPECT_EQ(at_office(file).counts.sessions, 1u);
+  EXPECT_EQ(code_of(give_out(station->context(), keeper, ExchangeKind::results, file)), StorageError::duplicate);
+}
+
+TEST_F(GivingOutKilled, is_finished_by_the_next_call_for_another_name_which_gives_out_its_own) {
+  if (!is_killed()) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  const fs::path other = results();
+  EXPECT_EQ(copies(), 0);
+  EXPECT_EQ(at_office(file).description.number(), 1u);
+  EXPECT_EQ(at_office(other).description.number(), 2u);
+  EXPECT_EQ(whole(*office), "");
+}
+
+TEST_F(GivingOutKilled, takes_no_name_that_somebody_has_taken_since) {
+  if (!is_killed()) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  std::ofstream(file) << "kept";
+  EXPECT_EQ(at_office(results()).description.number(), 2u);
+  EXPECT_EQ(fs::file_size(file), 4u);
+}
+
+TEST_F(GivingOutKilled, of_another_station_stays_as_it_is) {
+  if (!is_killed()) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  office_file();
+  EXPECT_FALSE(fs::exists(file));
+  EXPECT_EQ(copies(), 1);
+}
+
+TEST_F(GivingOutKilled, before_its_entry_leaves_a_copy_that_nobody_names) {
+  station.reset();
+  const Killed killed = kill_after(1, 0, [&](const std::function<bool()>&) {
+    const auto own = open(folder / "station.db");
+    const auto fill = [](Database&) -> Stored<void> { return {}; };
+    static_cast<void>(make_copy(file, folder / "station.db", fill, [&](Database& to) -> Stored<void> {
+      must(add_description(to, sign_exchange(*own->context().key, {.station = own->context().station})));
+      static_cast<void>(::raise(SIGKILL));
+      return {};
+    }));
+  });
+  ASSERT_TRUE(killed.by_signal);
+  ASSERT_EQ(copies(), 1);
+  station = open(folder / "station.db");
+  results();
+  EXPECT_FALSE(fs::exists(file));
 }
 
 }  // namespace
