@@ -163,7 +163,7 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
 
 Stored<Backup> read_backup(const fs::path& folder) {
   std::error_code error;
-  if (fs::is_regular_file(folder, error)) return fail(StorageError::not_found, folder.string());
+  if (!fs::is_directory(folder, error) && error != std::errc::permission_denied) return fail(StorageError::not_found, folder.string());
   const auto content = read_private_file(folder / kBackupDescription);
   if (!content) return std::unexpected(content.error());
   if (!*content || !fs::is_regular_file(folder / kBackupDatabase, error)) return fail(StorageError::not_found, folder.string());

@@ -41,7 +41,7 @@ Stored<void> rename_new(const std::filesystem::path& from, const std::filesystem
 Stored<void> write_private_file(const std::filesystem::path& file, const std::string& content);
 /// The same for a file that may exist: readers see the old content or the whole new one. One writer at a time.
 Stored<void> replace_private_file(const std::filesystem::path& file, const std::string& content);
-/// nullopt if the file does not exist.
+/// nullopt if the file does not exist. A pipe or a device fails at once.
 Stored<std::optional<std::string>> read_private_file(const std::filesystem::path& file);
 
 }  // namespace cusp::storage

@@ -232,19 +232,23 @@ Stored<void> replace_private_file(const std::filesystem::path& file, const std::
 }
 
 Stored<std::optional<std::string>> read_private_file(const std::filesystem::path& file) {
-  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  // O_NONBLOCK does not wait for the other end of a pipe.
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) {
     if (errno == ENOENT) return std::optional<std::string>{};
     return std::unexpected(failure_now(file));
   }
+  struct stat about{};
+  const bool is_file = fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode);
+  if (!is_file) errno = S_ISDIR(about.st_mode) ? EISDIR : EINVAL;
   std::string content;
   std::array<char, 512> part{};
   ssize_t got = 0;
-  while ((got = read(descriptor, part.data(), part.size())) > 0 && content.size() < 65536) {
+  while (is_file && (got = read(descriptor, part.data(), part.size())) > 0 && content.size() < 65536) {
     content.append(part.data(), static_cast<std::size_t>(got));
   }
   Stored<std::optional<std::string>> result{content};
-  if (got < 0) result = std::unexpected(failure_now(file));
+  if (!is_file || got < 0) result = std::unexpected(failure_now(file));
   close(descriptor);
   return result;
 }

@@ -71,6 +71,8 @@ Stored<PublicKey> public_key_from(const SignedText& text) {
 std::string key_file_of(const SignedText& text) { return text.description + '\n' + text.signature; }
 
 Stored<PublicKey> public_key_in(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) return fail(StorageError::bad_value, "description");
   const auto content = read_private_file(file);
   if (!content) return std::unexpected(content.error());
   if (!*content) return fail(StorageError::not_found, file.string());

@@ -64,6 +64,18 @@ TEST_F(BackupLeftTest, that_is_removed_while_it_is_restored_is_not_restored_with
   EXPECT_EQ(folder_named(".cusp-restore-"), fs::path());
 }
 
+TEST_F(BackupLeftTest, with_a_pipe_in_the_place_of_a_file_is_refused_and_waits_for_nobody) {
+  for (const char* part : {"backup.json", "station.db", "station.db.key", "station.db.key-counter"}) {
+    const Backup backup = make();
+    fs::remove(backup.folder / part);
+    ASSERT_EQ(::mkfifo((backup.folder / part).c_str(), 0600), 0);
+    EXPECT_FALSE(restore_backup(backup, folder / "new.db")) << part;
+    EXPECT_EQ(folder_named("new.db"), fs::path()) << part;
+    EXPECT_EQ(folder_named(".cusp-restore-"), fs::path()) << part;
+  }
+  EXPECT_EQ(must(backups_in(into(), station())).size(), 2u) << "a backup is one while its key has not been read";
+}
+
 TEST_F(BackupLeftTest, that_was_cut_off_while_it_was_described_goes_a_day_later) {
   const Backup cut_off = make();
   fs::rename(cut_off.folder / "backup.json", cut_off.folder / "backup.json.a1B2c3");

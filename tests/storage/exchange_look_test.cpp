@@ -217,6 +217,10 @@ TEST_F(LookTest, a_key_file_holds_the_key_whole_or_is_refused) {
   EXPECT_EQ(code_of(public_key_in(written("no key"))), StorageError::bad_value);
   EXPECT_EQ(code_of(public_key_in(written(key_file_of(key).substr(1)))), StorageError::bad_value);
   EXPECT_EQ(code_of(public_key_in(folder / "nothing")), StorageError::not_found);
+  const fs::path pipe = next_file();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(code_of(public_key_in(pipe)), StorageError::bad_value) << "it waits for nobody";
+  EXPECT_EQ(code_of(public_key_in(pipe.parent_path())), StorageError::bad_value);
 }
 
 }  // namespace
