@@ -110,16 +110,16 @@ int verify_pack(const AppealOptions& o) {
 void add_appeal(CLI::App& program, Job& job) {
   auto o = std::make_shared<AppealOptions>();
   CLI::App* write = program.add_subcommand("appeal", help(CliText::tr("Saves an attempt as an appeal pack, one file that another station verifies; for staff")));
-  write->add_option("DB", o->db, help(CliText::tr("Database")))->required();
+  write->add_option("DB", o->db, help(CliText::tr("Database")))->required()->check(check_not_empty);
   write->add_option("SESSION", o->session, help(CliText::tr("The session's id")))->required();
-  write->add_option("FILE", o->file, help(CliText::tr("A new file, NAME.cusppack")))->required();
+  write->add_option("FILE", o->file, help(CliText::tr("A new file, NAME.cusppack")))->required()->check(check_file_name);
   o->account.add_to(*write);
   o->json.add_to(*write);
   write->callback([&job, o] { job = [o] { return write_pack(*o); }; });
 
   auto v = std::make_shared<AppealOptions>();
   CLI::App* verify = program.add_subcommand("verify", help(CliText::tr("Verifies an appeal pack: its signature, its files, and its records")));
-  verify->add_option("FILE", v->file, help(CliText::tr("NAME.cusppack")))->required();
+  verify->add_option("FILE", v->file, help(CliText::tr("NAME.cusppack")))->required()->check(check_not_empty);
   verify->add_option("--db", v->db, help(CliText::tr("Database that may know the key of the pack")))->type_name("DB")->check(check_not_empty);
   verify->add_flag("--replay", v->replay, help(CliText::tr("Also compute the attempt anew, and compare tooth and grade bit for bit")));
   v->json.add_to(*verify);

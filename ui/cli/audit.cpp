@@ -156,7 +156,7 @@ void add_audit(CLI::App& program, Job& job) {
   CLI::App* verb = program.add_subcommand(
       "audit", help(CliText::tr("What each part of an exercise’s model costs and changes, and the leanest model that grades the "
                                  "same; scripted operators drill it many times, which takes minutes")));
-  verb->add_option("SCENARIO", o->scenario, help(CliText::tr("A scenario.json, its folder, or a built-in one")))->required();
+  verb->add_option("SCENARIO", o->scenario, help(CliText::tr("A scenario.json, its folder, or a built-in one")))->required()->check(check_not_empty);
   verb->add_option("--seeds", o->seeds, help(CliText::tr("Attempts of each scripted operator: expert, competent and novice")))
       ->check(CLI::Range(1, 100))
       ->capture_default_str();

@@ -80,16 +80,16 @@ int restore(const BackupOptions& o) {
 void add_backup(CLI::App& program, Job& job) {
   auto o = std::make_shared<BackupOptions>();
   CLI::App* make = program.add_subcommand("backup", help(CliText::tr("Copies all records as of now to a new folder; for administrators")));
-  make->add_option("DB", o->from, help(CliText::tr("Database")))->required();
-  make->add_option("FOLDER", o->to, help(CliText::tr("Where the backup’s own folder is made")))->required();
+  make->add_option("DB", o->from, help(CliText::tr("Database")))->required()->check(check_not_empty);
+  make->add_option("FOLDER", o->to, help(CliText::tr("Where the backup’s own folder is made")))->required()->check(check_not_empty);
   o->account.add_to(*make);
   o->json.add_to(*make);
   make->callback([&job, o] { job = [o] { return back_up(*o); }; });
 
   auto r = std::make_shared<BackupOptions>();
   CLI::App* back = program.add_subcommand("restore", help(CliText::tr("Makes a new database from a backup")));
-  back->add_option("BACKUP", r->from, help(CliText::tr("The backup’s folder")))->required();
-  back->add_option("DB", r->to, help(CliText::tr("Database that does not exist yet")))->required();
+  back->add_option("BACKUP", r->from, help(CliText::tr("The backup’s folder")))->required()->check(check_not_empty);
+  back->add_option("DB", r->to, help(CliText::tr("Database that does not exist yet")))->required()->check(check_file_name);
   r->json.add_to(*back);
   back->callback([&job, r] { job = [r] { return restore(*r); }; });
 }

@@ -42,8 +42,8 @@ void add_erase(CLI::App& program, Job& job) {
   auto o = std::make_shared<EraseOptions>();
   CLI::App* verb = program.add_subcommand(
       "erase", help(CliText::tr("Takes a person’s name, number and texts out for good; for administrators")));
-  verb->add_option("DB", o->db, help(CliText::tr("Database")))->required();
-  verb->add_option("NUMBER", o->number, help(CliText::tr("The person’s number")))->required();
+  verb->add_option("DB", o->db, help(CliText::tr("Database")))->required()->check(check_not_empty);
+  verb->add_option("NUMBER", o->number, help(CliText::tr("The person’s number")))->required()->check(check_not_empty);
   o->account.add_to(*verb);
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return erase(*o); }; });

@@ -156,7 +156,7 @@ int read_file(const ExchangeOptions& o) {
 }
 
 void add_shared(CLI::App& part, ExchangeOptions& o) {
-  part.add_option("--db", o.db, help(CliText::tr("Database")))->required()->type_name("DB");
+  part.add_option("--db", o.db, help(CliText::tr("Database")))->required()->type_name("DB")->check(check_not_empty);
   o.account.add_to(part);
   o.json.add_to(part);
 }
@@ -170,16 +170,19 @@ void add_exchange(CLI::App& program, Job& job) {
     auto o = std::make_shared<ExchangeOptions>();
     CLI::App* made = verb->add_subcommand(name, help(does));
     add_shared(*made, *o);
-    if (!file.isEmpty()) made->add_option("FILE", o->file, help(file))->required();
+    if (!file.isEmpty()) made->add_option("FILE", o->file, help(file))->required()->check(check_not_empty);
     made->callback([&job, o, run] { job = [o, run] { return run(*o); }; });
     return std::pair{made, o};
   };
-  part("key", CliText::tr("Writes this station’s public key, for others to trust"), CliText::tr("Where the key is written"), write_key);
+  part("key", CliText::tr("Writes this station’s public key, for others to trust"), CliText::tr("Where the key is written"), write_key)
+      .first->get_option("FILE")
+      ->check(check_file_name);
   part("keys", CliText::tr("Lists the other stations’ keys that are known here"), {}, list_keys);
   const auto [trusts, t] = part("trust", CliText::tr("Makes a station’s key known here, after its fingerprint was compared"), CliText::tr("A key that “exchange key” wrote"), trust_key);
   CLI::Option* office = trusts->add_flag("--office", t->office, help(CliText::tr("Its files may also bring accounts, cohorts, assignments and exercises")));
   trusts->add_flag("--revoke", t->revoke, help(CliText::tr("No longer read files under this key")))->excludes(office);
   const auto [out, o] = part("out", CliText::tr("Writes a signed file for other stations"), CliText::tr("A new file"), write_file);
+  out->get_option("FILE")->check(check_file_name);
   out->add_flag("--office", o->office, help(CliText::tr("Accounts, cohorts, assignments, exercises and statements of this station")));
   out->add_flag("--results", o->results, help(CliText::tr("Attempts and statements of this station")));
   part("in", CliText::tr("Reads another station’s file whole, or changes nothing"), CliText::tr("A file that “exchange out” wrote"), read_file);

@@ -268,7 +268,7 @@ void add_export(CLI::App& program, Job& job) {
   auto o = std::make_shared<ExportOptions>();
   CLI::App* verb = program.add_subcommand(
       "export", help(CliText::tr("Attempts with results, cohort and dates as CSV or JSON; for instructors and administrators")));
-  verb->add_option("DB", o->db, help(CliText::tr("Database")))->required();
+  verb->add_option("DB", o->db, help(CliText::tr("Database")))->required()->check(check_not_empty);
   verb->add_option("-o,--output", o->out, help(CliText::tr("CSV file to write, or - for stdout, where it also goes without -o and --json")))
       ->type_name("FILE")
       ->check(check_not_empty);

@@ -121,7 +121,9 @@ void add_grade(CLI::App& program, Job& job) {
   CLI::App* verb = program.add_subcommand(
       "grade", help(CliText::tr("Run a stored session again and grade it as it stands, or grade a volume or an operator's cuts; an interrupted session "
                                 "keeps its grade")));
-  verb->add_option("DB", o->db, help(CliText::tr("Database; with --volume or --operator a scenario.json, its folder, or a built-in one")))->required();
+  verb->add_option("DB", o->db, help(CliText::tr("Database; with --volume or --operator a scenario.json, its folder, or a built-in one")))
+      ->required()
+      ->check(check_not_empty);
   verb->add_option("SESSION", o->session, help(CliText::tr("The session's id")));
   verb->add_option("--volume", o->volume,
                    help(CliText::tr("Grade this prepared volume of the scenario's specimen (NRRD). Shown, not stored")))

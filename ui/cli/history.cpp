@@ -235,7 +235,7 @@ int rebuild(const HistoryOptions& o) {
 void add_history(CLI::App& program, Job& job) {
   auto o = std::make_shared<HistoryOptions>();
   CLI::App* verb = program.add_subcommand("history", help(CliText::tr("What is kept: sessions, one of them, or proof of all")));
-  verb->add_option("DB", o->db, help(CliText::tr("Database")))->required();
+  verb->add_option("DB", o->db, help(CliText::tr("Database")))->required()->check(check_not_empty);
   verb->require_subcommand(1);
   o->account.add_to(*verb);
   o->json.add_to(*verb);

@@ -240,7 +240,9 @@ int import_verb(const ImportOptions& o) {
 void add_import(CLI::App& program, Job& job) {
   auto o = std::make_shared<ImportOptions>();
   CLI::App* verb = program.add_subcommand("import", help(CliText::tr("Make a specimen volume of closed meshes, of a label volume or of a CT series")));
-  verb->add_option("FILE", o->files, help(CliText::tr("STL, OBJ, PLY, 3DS, OFF (several are put together), NRRD, MetaImage, NIfTI, binvox, or a folder of DICOM slices")))->required();
+  verb->add_option("FILE", o->files, help(CliText::tr("STL, OBJ, PLY, 3DS, OFF (several are put together), NRRD, MetaImage, NIfTI, binvox, or a folder of DICOM slices")))
+      ->required()
+      ->check(check_not_empty);
   verb->add_option("-o,--output", o->out, help(CliText::tr("Volume to write (NRRD, or binvox by its ending)")))->type_name("VOLUME")->check(check_file_name);
   verb->add_option("--tissue", o->tissues, help(CliText::tr("What a mesh or a label is made of; once for each to be taken")))
       ->type_name("MESH=TISSUE");

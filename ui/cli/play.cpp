@@ -149,7 +149,8 @@ void add_play(CLI::App& program, Job& job) {
       "play", help(CliText::tr("Let a scripted operator do an exercise: keeps the session and writes report.json, report.pdf "
                                 "and tooth.png; prints the session's id")));
   verb->add_option("SCENARIO", o->scenario, help(CliText::tr("A scenario.json, its folder, or a built-in one: %1").arg(builtins())))
-      ->required();
+      ->required()
+      ->check(check_not_empty);
   const CLI::Option* script = verb->add_option("--script", o->script,
                    help(CliText::tr("expert, competent, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs")))
       ->type_name("HAND")

@@ -137,7 +137,7 @@ void add_replay(CLI::App& program, Job& job) {
       ->type_name("SECONDS")
       ->check(check_not_negative)
       ->excludes(verify);
-  verb->add_option("DB", o->db, help(CliText::tr("Database")))->required();
+  verb->add_option("DB", o->db, help(CliText::tr("Database")))->required()->check(check_not_empty);
   verb->add_option("SESSION", o->session, help(CliText::tr("The session's id")))->required();
   verb->add_option("--volume", o->volume, help(CliText::tr("Write the tooth as it is then (NRRD)")))
       ->type_name("FILE")

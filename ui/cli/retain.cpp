@@ -63,7 +63,7 @@ void add_retain(CLI::App& program, Job& job) {
   auto o = std::make_shared<RetainOptions>();
   CLI::App* verb = program.add_subcommand(
       "retain", help(CliText::tr("Erases students who have made no attempt for years; for administrators")));
-  verb->add_option("DB", o->db, help(CliText::tr("Database")))->required();
+  verb->add_option("DB", o->db, help(CliText::tr("Database")))->required()->check(check_not_empty);
   verb->add_option("--years", o->years, help(CliText::tr("Years without an attempt, as the school has decided")))
       ->type_name("N")
       ->required()

@@ -72,7 +72,7 @@ void add_thin(CLI::App& program, Job& job) {
   auto o = std::make_shared<ThinOptions>();
   CLI::App* verb = program.add_subcommand(
       "thin", help(CliText::tr("Takes the recordings of old practice attempts out; grades and final teeth stay; for administrators")));
-  verb->add_option("DB", o->db, help(CliText::tr("Database")))->required();
+  verb->add_option("DB", o->db, help(CliText::tr("Database")))->required()->check(check_not_empty);
   verb->add_option("--older-than", o->older_than_days, help(CliText::tr("Days since an attempt ended")))
       ->type_name("DAYS")
       ->check(CLI::Range(1, kMostThinAfterDays))

@@ -119,7 +119,7 @@ int validate_verb(const ValidateOptions& o) {
 void add_validate(CLI::App& program, Job& job) {
   auto o = std::make_shared<ValidateOptions>();
   CLI::App* verb = program.add_subcommand("validate", help(CliText::tr("Check a scenario: its form, its values, and its specimen")));
-  verb->add_option("PATH", o->path, help(CliText::tr("A scenario.json, its folder, an exercise saved as a file, or a built-in one")))->required();
+  verb->add_option("PATH", o->path, help(CliText::tr("A scenario.json, its folder, an exercise saved as a file, or a built-in one")))->required()->check(check_not_empty);
   verb->add_flag("--form-only", o->form_only, help(CliText::tr("Leave the specimen out")));
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return validate_verb(*o); }; });
