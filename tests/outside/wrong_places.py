@@ -53,6 +53,13 @@ def writes(desk, database, backup, places):
         refused(desk, "exchange", "out", "--results", place, "--db", database, *AS_ADMIN)
 
 
+def records_of_another(desk, database, backup):
+    """SQLite takes what lies beside a database for its log or journal, and writes over it."""
+    refused(desk, "restore", backup, database, names=("there already",))
+    for ending in ("-wal", "-journal", "-shm", ".running", ".states"):
+        refused(desk, "restore", backup, database + ending, names=(database, "belongs to"))
+
+
 def parts_of_a_backup(desk, backup):
     for part in ("backup.json", "station.db", "station.db.key", "station.db.key-counter"):
         copy = desk.path("copy of " + part)
@@ -84,5 +91,6 @@ with Desk(sys.argv[1]) as the_desk:
     wrong = make_places(the_desk)
     reads(the_desk, school, wrong)
     writes(the_desk, school, made.strip(), wrong)
+    records_of_another(the_desk, school, made.strip())
     parts_of_a_backup(the_desk, made.strip())
     empty_names(the_desk)

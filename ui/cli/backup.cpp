@@ -53,6 +53,11 @@ Stored<void> finish_restored(const Backup& backup, const std::filesystem::path& 
 
 int restore(const BackupOptions& o) {
   if (const auto no = refuse_outputs({o.json.file}, o.to, {std::filesystem::path(o.from) / kBackupDescription})) return failed(*no);
+  // A database in the place of another one's log or journal is lost with the next start of that one.
+  std::error_code ignored;
+  if (!std::filesystem::exists(o.to, ignored)) {
+    if (const auto no = refuse_outputs({o.to})) return failed(*no);
+  }
   const auto backup = read_backup(o.from);
   if (!backup) {
     if (backup.error().code != StorageError::not_found) return failed(describe(backup.error()));
