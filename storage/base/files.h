@@ -29,7 +29,7 @@ StorageFailure failure_from(const std::error_code& error, const std::filesystem:
 
 /// Makes an empty file that only its owner can read, without opening it: a close() drops SQLite's locks. duplicate if it exists.
 Stored<void> make_private_file(const std::filesystem::path& file);
-/// Makes a folder that only its owner can enter. duplicate if the name is taken.
+/// Makes a folder that only its owner can enter, and syncs the one that it lies in. duplicate if the name is taken.
 Stored<void> make_private_folder(const std::filesystem::path& folder);
 
 /// Renames `from` to `to`, in one file system, and syncs the folder. duplicate if `to` exists; `from` then stays. A process that is killed

@@ -79,11 +79,24 @@ bool write_through(int descriptor, const std::string& content) {
   return fsync(descriptor) == 0;
 }
 
+/// -1 if the folder of `file` cannot be opened.
+int open_folder_of(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return open(std::filesystem::absolute(file, ignored).parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+}
+
+/// Waits until the disk holds the name. A failure changes nothing: the file bears it already.
+void sync_folder_of(const std::filesystem::path& file) {
+  const int folder = open_folder_of(file);
+  if (folder < 0) return;
+  fsync(folder);
+  close(folder);
+}
+
 /// For a drive that knows neither link() nor RENAME_NOREPLACE: asks, then renames. The folder's lock keeps other programs of Cusp out
 /// between the two, and ends with its process: one that is killed leaves nothing of the name.
 bool rename_if_free(const std::filesystem::path& from, const std::filesystem::path& to) {
-  std::error_code ignored;
-  const int folder = open(std::filesystem::absolute(to, ignored).parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int folder = open_folder_of(to);
   // Some network drives lock no folder: then only the moment between the two is open.
   if (folder >= 0) flock(folder, LOCK_EX);
   struct stat there{};
@@ -187,17 +200,13 @@ Stored<void> make_private_file(const std::filesystem::path& file) {
 
 Stored<void> make_private_folder(const std::filesystem::path& folder) {
   if (mkdir(folder.c_str(), S_IRWXU) != 0) return std::unexpected(failure_now(folder));
+  sync_folder_of(folder);
   return {};
 }
 
 Stored<void> rename_new(const std::filesystem::path& from, const std::filesystem::path& to) {
   if (!take_name(from, to)) return std::unexpected(failure_now(to));
-  std::error_code ignored;
-  const auto folder = std::filesystem::absolute(to, ignored).parent_path();
-  if (const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); descriptor >= 0) {
-    fsync(descriptor);
-    close(descriptor);
-  }
+  sync_folder_of(to);
   return {};
 }
 

@@ -376,6 +376,18 @@ TEST(NewNames, are_free_or_whole_files_after_a_process_was_killed_that_took_them
   EXPECT_EQ(must(read_private_file(file)), "secret");
 }
 
+TEST(NewFolders, are_on_the_disk_before_anything_is_written_into_them) {
+  const Folder folder;
+  // Of all that the function calls, nothing but a sync kills the process.
+  const Killed killed = kill_after(2, 0, [&](const std::function<bool()>& step) {
+    if (!refuse_calls({{SYS_fsync, kKills}})) static_cast<void>(step());
+    static_cast<void>(make_private_folder(folder / "backup"));
+  });
+  if (killed.steps > 0) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  EXPECT_TRUE(killed.by_signal) << "a stick that is pulled out would lose a whole backup";
+  EXPECT_TRUE(fs::is_directory(folder / "backup"));
+}
+
 TEST_F(BackupLeftTest, a_first_start_beside_records_that_a_person_put_aside_is_a_first_start) {
   store.reset();
   must(put_aside(folder / "a.db", *now));
