@@ -34,6 +34,7 @@ enum class StorageError : std::uint8_t {
   last_administrator,  // would leave no enabled administrator
   // Rows
   duplicate,    // number, name or version exists already, or a file; detail "number": where = an account's number that a file brings;
+                // detail "log": where = name of a log whose records were moved away, where none are to be made;
                 // detail "finished": an earlier restore to where, or an earlier file for other stations
   bad_value,    // outside the range that the table admits
   wrong_state,  // the session is not in a state that allows this (finished twice, a gap in ticks)

@@ -44,7 +44,8 @@ inline bool admits_network_drive(const std::filesystem::path&) { return false; }
 class Database {
  public:
   /// Checks that the file is Cusp's and not newer, sets WAL, synchronous=FULL and foreign keys, migrates.
-  /// Fails with a code of "Opening" or "Any time" in StorageError; a refused file is unchanged. Only SQLite opens the file
+  /// Fails with a code of "Opening" or "Any time" in StorageError; a refused file is unchanged. duplicate, detail "log": no file is
+  /// made beside the log of one that was moved away, which SQLite would remove. Only SQLite opens the file
   /// (main_file.h): connections of other threads keep their locks.
   /// For reading, if the log's index cannot be created or grown, it opens a copy in memory of file and log as of now
   /// (memory_copy.h). A file of an older schema, too, is read from a copy in memory.

@@ -94,12 +94,22 @@ bool lacks_space(const StorageFailure& failure) {
          failure.code == StorageError::not_found;
 }
 
+/// Whether a log lies there without its file, as where records were moved by hand after a crash: SQLite removes it when it makes a new
+/// file, with all that was written last. Another program that makes the file now makes its log later.
+bool has_left_log(const fs::path& file) {
+  constexpr std::uintmax_t kHeader = 32;  // file format, 4.1
+  std::error_code none;
+  const auto bytes = fs::file_size(file.string() + "-wal", none);
+  return !none && bytes > kHeader && !fs::exists(file, none);
+}
+
 Stored<void> check_place(const fs::path& file, const DatabaseOptions& options) {
   std::error_code ignored;
   const bool existed = fs::exists(file, ignored);
   if (ignored == std::errc::permission_denied) return fail(StorageError::read_only, file.string());
   if (!existed && options.access != Access::create) return fail(StorageError::not_found, file.string());
   if (existed && !fs::is_regular_file(file, ignored)) return fail(StorageError::not_a_database, file.string());
+  if (!existed && has_left_log(file)) return fail(StorageError::duplicate, file.filename().string() + "-wal", "log");
   const fs::path folder = folder_of(file);
   if (!fs::is_directory(folder, ignored)) return fail(StorageError::not_found, folder.string(), "folder");
   const auto& on_network = options.on_network_drive;

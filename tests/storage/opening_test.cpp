@@ -151,6 +151,26 @@ TEST(Opening, a_file_whose_maker_ended_before_its_first_table_is_named_empty_to_
   }
 }
 
+TEST(Opening, makes_no_file_beside_the_log_of_records_that_were_moved_away_after_a_crash) {
+  const Folder folder;
+  const fs::path file = folder / "a.db", log = folder / "a.db-wal", moved = folder / "old.db";
+  {
+    const auto store = open(folder / "running.db");
+    make_administrator(*store);
+    for (const char* part : {"", "-wal", ".key", ".key-counter"}) fs::copy_file((folder / "running.db").string() + part, file.string() + part);
+  }
+  const std::string before = content_of(log);
+  ASSERT_GT(before.size(), 8192u) << "what was written last stands there alone";
+  fs::rename(file, moved);
+  const auto refused = Store::open(file, quick());
+  ASSERT_EQ(code_of(refused), StorageError::duplicate);
+  EXPECT_EQ(refused.error().where, "a.db-wal");
+  EXPECT_FALSE(fs::exists(file));
+  EXPECT_EQ(content_of(log), before);
+  fs::rename(moved, file);
+  EXPECT_TRUE(must(open(file)->accounts.has_administrator()));
+}
+
 TEST(Opening, what_is_not_there_is_not_found) {
   const Folder folder;
   EXPECT_EQ(code_of(Database::open(folder / "none.db", {.access = Access::existing})), StorageError::not_found);
