@@ -65,12 +65,20 @@ Stored<void> fill_new(const fs::path& file, const fs::path& from, const OnCopy& 
   return finish(*to);
 }
 
+/// duplicate if something has the name, also a link that leads nowhere; else why no file can have it, as one that is too long.
+Stored<void> check_free(const fs::path& name) {
+  std::error_code error;
+  const fs::file_status there = fs::symlink_status(name, error);
+  if (there.type() == fs::file_type::not_found) return {};
+  if (there.type() == fs::file_type::none) return std::unexpected(failure_from(error, name));
+  return fail(StorageError::duplicate, name.string());
+}
+
 /// Until the copy has its name, its process holds a lock: nobody else gives it one meanwhile.
 Stored<void> make_and_name(const fs::path& copy, const fs::path& real, const fs::path& from, const OnCopy& fill, const OnCopy& finish) {
   const ProcessMark mark(lock_of_copy(copy));
   const auto last = [&](Database& to) -> Stored<void> {
-    std::error_code error;
-    if (fs::exists(real, error)) return fail(StorageError::duplicate, real.string());
+    if (auto free = check_free(real); !free) return free;
     if (!finish) return {};
     auto noted = note_name(copy, real, mark.text());
     return noted ? finish(to) : noted;
@@ -88,8 +96,8 @@ StorageFailure failure_of_copy(const StorageFailure& failure, const fs::path& fi
 
 Stored<void> make_copy(const fs::path& file, const fs::path& from, const OnCopy& fill, const OnCopy& finish) {
   std::error_code error;
-  if (fs::exists(file, error)) return fail(StorageError::duplicate, file.string());
   const fs::path real = fs::absolute(behind_links(file), error), parent = real.parent_path();
+  if (auto free = check_free(real); !free) return std::unexpected(failure_of_copy(free.error(), file));
   if (!fs::is_directory(parent, error)) return fail(StorageError::not_found, parent.string(), "folder");
   remove_left_folders(parent, kCopying, [](std::string_view name) { return name.starts_with(kCopied); });
   const fs::path folder = parent / (std::string(kCopying) + Uuid::v7().text());

@@ -97,6 +97,17 @@ TEST_F(ExchangeCopies, a_file_that_the_disk_keeps_the_log_of_has_no_last_work) {
   EXPECT_FALSE(fs::exists(file));
 }
 
+TEST_F(ExchangeCopies, a_name_that_no_file_can_have_is_refused_before_the_log_names_it) {
+  fs::create_symlink("loop", folder / "loop");
+  EXPECT_EQ(code_of(give_out(station->context(), keeper, ExchangeKind::results, folder / "loop")), StorageError::duplicate);
+  EXPECT_TRUE(fs::is_symlink(folder / "loop"));
+  const fs::path longest = folder / std::string(300, 'x');
+  const auto refused = give_out(station->context(), keeper, ExchangeKind::results, longest);
+  EXPECT_EQ(code_of(refused), StorageError::io);
+  EXPECT_EQ(refused.error().where, longest.string());
+  for (const AuditEntry& entry : must(station->audit.list(keeper, 100))) EXPECT_NE(entry.action, "exchange_given_out");
+}
+
 TEST_F(ExchangeCopies, a_file_is_given_out_once_under_its_name_on_a_drive_without_hard_links) {
   trust_each_other();
   const fs::path file = next_file();
