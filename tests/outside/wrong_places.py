@@ -58,6 +58,7 @@ def records_of_another(desk, database, backup):
     refused(desk, "restore", backup, database, names=("there already",))
     for ending in ("-wal", "-journal", "-shm", ".running", ".states"):
         refused(desk, "restore", backup, database + ending, names=(database, "belongs to"))
+        refused(desk, "backup", database, database + ending, *AS_ADMIN, names=(database, "belongs to"))
 
 
 def parts_of_a_backup(desk, backup):

@@ -30,7 +30,8 @@ nlohmann::ordered_json backup_json(const Backup& backup) {
 }
 
 int back_up(const BackupOptions& o) {
-  if (const auto no = refuse_outputs({o.json.file}, o.from)) return failed(*no);
+  // A folder of the records, as that of the key states, may be deleted.
+  if (const auto no = refuse_outputs({o.json.file, o.to}, o.from)) return failed(*no);
   auto store = open_records(o.from);
   if (!store) return failed(store.error());
   auto account = sign_in(**store, o.account, WithoutAccounts::refuse);
