@@ -138,12 +138,21 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
   if (actor) {
     if (auto allowed = require(*actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
   }
+  std::error_code ignored;
+  const bool is_new = fs::symlink_status(into, ignored).type() == fs::file_type::not_found;
   const std::int64_t now = context.clock();
   const auto folder = new_folder(into, "cusp", now);
-  if (!folder) return std::unexpected(folder.error());
+  const auto take_back_all = [&] {
+    if (folder) remove_copy(*folder);
+    if (is_new) fs::remove(into, ignored);  // only if it is empty
+  };
+  if (!folder) {
+    take_back_all();
+    return std::unexpected(folder.error());
+  }
   auto backup = fill(context, *folder, now);
   if (!backup) {
-    remove_copy(*folder);
+    take_back_all();
     return backup;
   }
   if (context.db.read_only()) return backup;
@@ -153,7 +162,7 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
             {.actor = actor ? actor->id : UserId{}, .action = "backed_up", .subject = context.station,
              .detail = std::to_string(backup->sessions)});
   if (auto done = commit_sealed(context, transaction); !done) {
-    remove_copy(*folder);
+    take_back_all();
     return std::unexpected(done.error());
   }
   // A restore that succeeded at the second try is the last one of its name.
