@@ -48,7 +48,7 @@ def reads(desk, database, places):
 def writes(desk, database, backup, places):
     pipe, loop, _, empty, text, device, *_ = places
     for place in (pipe, loop, empty, text, device):
-        refused(desk, "backup", database, place, *AS_ADMIN, names=(place,))
+        refused(desk, "backup", database, place, *AS_ADMIN, names=(place, "cannot be written"))
         refused(desk, "restore", backup, place, names=("there already",))
         refused(desk, "exchange", "out", "--results", place, "--db", database, *AS_ADMIN)
 
@@ -84,6 +84,45 @@ def empty_names(desk):
         refused(desk, *arguments, status=2, names=(name, "file"))
 
 
+def give_away(folder, user):
+    for at, _, files in os.walk(folder):
+        for path in (at, *(os.path.join(at, name) for name in files)):
+            os.chown(path, user, -1, follow_symlinks=False)
+
+
+def unreadable(desk, database, backup):
+    """What may not be read is called so. Nothing is unreadable to root: it becomes another user for so long."""
+    nobody, root = 65534, os.geteuid() == 0
+    status, _, failure = desk.run("exchange", "out", "--results", desk.path("results"), "--db", database, *AS_ADMIN, **SECRET)
+    check(status == 0, f"exchange out: {failure}")
+    new, results = desk.path("new.db"), desk.path("results")
+    if root:
+        give_away(desk.folder, nobody)
+        os.setresuid(nobody, nobody, 0)
+    try:
+        desk.run("--version")
+        parts = [(os.path.join(backup, part), ("restore", backup, new)) for part in ("backup.json", "station.db", "station.db.key", "station.db.key-counter")]
+        for path, verb in (*parts, (database, ("export", database, *AS_ADMIN)), (results, ("exchange", "in", results, "--db", database, *AS_ADMIN)),
+                           (results, ("exchange", "trust", results, "--db", database, *AS_ADMIN))):
+            os.chmod(path, 0)
+            refused(desk, *verb, names=(path, "cannot be read"))
+            os.chmod(path, 0o600)
+        locked = desk.path("locked")
+        os.mkdir(locked, 0o500)
+        refused(desk, "backup", database, locked, *AS_ADMIN, names=(locked, "cannot be written: Permission denied"))
+        refused(desk, "backup", database, os.path.join(locked, "into"), *AS_ADMIN, names=(locked, "cannot be written: Permission denied"))
+        key = database + ".key"
+        os.chmod(key, 0)
+        status, _, failure = desk.run("backup", database, desk.path("into"), *AS_ADMIN, **SECRET)
+        check(status == 1 and key in failure and not os.path.exists(desk.path("into")), f"a backup without its key: exit {status}: {failure}")
+        os.chmod(key, 0o600)
+    except PermissionError:
+        print("another user may not run the program: unreadable files were not tried")
+    finally:
+        if root:
+            os.setresuid(0, 0, 0)
+
+
 with Desk(sys.argv[1]) as the_desk:
     school = the_desk.path("school.db")
     make_school(school)
@@ -95,3 +134,4 @@ with Desk(sys.argv[1]) as the_desk:
     records_of_another(the_desk, school, made.strip())
     parts_of_a_backup(the_desk, made.strip())
     empty_names(the_desk)
+    unreadable(the_desk, school, made.strip())

@@ -30,8 +30,11 @@ Result<std::unique_ptr<Store>, Message> open_records(const std::filesystem::path
     store = Store::open(file, options);
     if (store) (*store)->database().set_unwritable(why);
   }
-  if (!store) return std::unexpected(describe(store.error()));
-  return std::move(*store);
+  if (store) return std::move(*store);
+  // What refuses writing has been tried for reading, too.
+  const StorageFailure& failure = store.error();
+  if (auto refused = unreadable(failure, failure.where)) return std::unexpected(std::move(*refused));
+  return std::unexpected(describe(failure));
 }
 
 namespace {

@@ -29,6 +29,14 @@ nlohmann::ordered_json backup_json(const Backup& backup) {
   return json;
 }
 
+/// A folder that takes no backup is no fault of the database.
+Message describe_backup(const StorageFailure& failure, const std::filesystem::path& into) {
+  const std::filesystem::path where = failure.where, folder = into.has_filename() ? into : into.parent_path();
+  const bool of_folder = where == into || where.parent_path() == folder;
+  const bool unwritable = failure.code == StorageError::read_only || failure.code == StorageError::io;
+  return of_folder && unwritable && !failure.detail.empty() ? cannot_write(where, failure.detail) : describe(failure);
+}
+
 int back_up(const BackupOptions& o) {
   // A folder of the records, as that of the key states, may be deleted.
   if (const auto no = refuse_outputs({o.json.file, o.to}, o.from)) return failed(*no);
@@ -37,7 +45,7 @@ int back_up(const BackupOptions& o) {
   auto account = sign_in(**store, o.account, WithoutAccounts::refuse);
   if (!account) return failed(account.error());
   const auto backup = make_backup((*store)->context(), account->actor(), o.to);
-  if (!backup) return failed(describe(backup.error()));
+  if (!backup) return failed(describe_backup(backup.error(), o.to));
   if (!o.json.write(backup_json(*backup))) return kFailed;
   if (!o.json.on_stdout()) print_line(backup->folder.string());
   return kDone;
@@ -61,6 +69,7 @@ int restore(const BackupOptions& o) {
   }
   const auto backup = read_backup(o.from);
   if (!backup) {
+    if (const auto refused = unreadable(backup.error(), o.from)) return failed(*refused);
     if (backup.error().code != StorageError::not_found) return failed(describe(backup.error()));
     return failed(CliText::tr("%1 is no whole backup.").arg(QString::fromStdString(o.from)));
   }
@@ -72,7 +81,11 @@ int restore(const BackupOptions& o) {
     }
     return failed(CliText::tr("%1 is there already. Restore to a new name; nothing was changed.").arg(name));
   }
-  if (!done) return failed(describe(done.error()));
+  if (!done) {
+    // The new database may lie in the backup's folder.
+    const auto refused = done.error().where == o.to ? std::nullopt : unreadable(done.error(), o.from);
+    return failed(refused ? *refused : describe(done.error()));
+  }
   if (!o.json.write(backup_json(*backup))) return kFailed;
   if (!o.json.on_stdout()) {
     print_line(plain(CliText::tr("%n session(s) are restored as of %1.", nullptr, static_cast<int>(backup->sessions))

@@ -57,8 +57,9 @@ int write_key(const ExchangeOptions& o) {
 
 Result<PublicKey, Message> key_in(const std::string& file) {
   auto key = public_key_in(file);
-  if (!key) return std::unexpected(describe_key_failure(key.error(), named(file)));
-  return *key;
+  if (key) return *key;
+  if (auto refused = unreadable(key.error(), file)) return std::unexpected(std::move(*refused));
+  return std::unexpected(describe_key_failure(key.error(), named(file)));
 }
 
 Message unknown_key(const Hash256& id) { return {CliText::tr("Key %1 is not known here.").arg(fingerprint(id)), CliText::tr("Nothing was changed.")}; }
@@ -141,7 +142,10 @@ int read_file(const ExchangeOptions& o) {
   const auto in = sign_in_to(o);
   if (!in) return failed(in.error());
   const auto read = read_in(in->store->context(), in->actor, o.file);
-  if (!read) return failed(describe_exchange_failure(read.error(), named(o.file)));
+  if (!read) {
+    if (const auto refused = unreadable(read.error(), o.file)) return failed(*refused);
+    return failed(describe_exchange_failure(read.error(), named(o.file)));
+  }
   auto json = json_of(read->description, read->key, read->counts);
   json["outcome"] = std::string(key_of(read->outcome));
   json["waiting"] = read->waiting;

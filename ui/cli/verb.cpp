@@ -156,6 +156,14 @@ Message cannot_write(const std::filesystem::path& file, const std::string& why) 
   return {CliText::tr("%1 cannot be written: %2.").arg(QString::fromStdString(file.string()), QString::fromStdString(why)), {}};
 }
 
+std::optional<Message> unreadable(const StorageFailure& failure, const std::filesystem::path& input) {
+  const std::string name = input.has_filename() ? input.string() : input.parent_path().string();
+  const bool of_input = failure.where == name || failure.where.starts_with(name + '/');
+  if (failure.code != StorageError::read_only || !of_input) return std::nullopt;
+  return Message{CliText::tr("%1 cannot be read.").arg(QString::fromStdString(failure.where)),
+                 CliText::tr("Its permissions or those of its folder refuse it. Nothing was changed.")};
+}
+
 Message nothing_written_to(const std::filesystem::path& folder, const std::string& why) {
   return {CliText::tr("Nothing can be written to %1: %2.").arg(QString::fromStdString(folder.string()), QString::fromStdString(why)), {}};
 }

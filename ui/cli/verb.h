@@ -82,7 +82,10 @@ Stored<void> writable_folder(const std::filesystem::path& folder);
 
 /// "report.json cannot be written: No space left on device."
 Message cannot_write(const std::filesystem::path& file, const std::string& why);
-/// The same of a folder.
+/// What to print if `input`, or a file in it, may not be read. Storage names both ways of access alike: read_only of what a verb reads
+/// alone is this. nullopt: the failure is another.
+std::optional<Message> unreadable(const StorageFailure& failure, const std::filesystem::path& input);
+/// The same of a folder as cannot_write().
 Message nothing_written_to(const std::filesystem::path& folder, const std::string& why);
 
 /// --clock-is-right, of the verbs that take away what is old.
