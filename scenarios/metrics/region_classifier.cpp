@@ -14,12 +14,41 @@ struct Corner {
 };
 using Tetrahedron = std::array<Corner, 4>;
 
+/// Far more than distances are rounded by, and so little that no cell beside the boundary's own holds more of it than 1e-6.
+/// Test: tests/scenarios/metrics/boundary_test.cpp.
+constexpr double kSectionVoxels = 1e-3;
+
 Corner between(const Corner& a, const Corner& b, double t) noexcept {
   return {a.p + t * (b.p - a.p), a.u + t * (b.u - a.u), a.v + t * (b.v - a.v), a.d + t * (b.d - a.d)};
 }
 
 double mm3_of(const Tetrahedron& t) noexcept {
   return std::fabs(glm::dot(t[1].p - t[0].p, glm::cross(t[2].p - t[0].p, t[3].p - t[0].p))) / 6.0;
+}
+
+/// Share of a tetrahedron in which a value, linear between its corners, is below `level`. Pre: `f` ascending.
+double share_below(const std::array<double, 4>& f, double level) noexcept {
+  const auto at = [&](std::size_t a, std::size_t b) { return (level - f[a]) / (f[b] - f[a]); };
+  if (level <= f[0]) return 0.0;
+  if (level > f[3]) return 1.0;
+  if (level <= f[1]) return at(0, 1) * at(0, 2) * at(0, 3);
+  if (level > f[2]) return 1.0 - (1.0 - at(0, 3)) * (1.0 - at(1, 3)) * (1.0 - at(2, 3));
+  return at(0, 2) * at(0, 3) * (1.0 - at(1, 3)) + at(0, 2) * (1.0 - at(1, 2)) * at(1, 3) + at(1, 2) * at(1, 3);
+}
+
+/// Area of the target's boundary in a tetrahedron: the mean of the sections at distances within `half_width` of it. Where the
+/// boundary passes along a face of two tetrahedra, each then has half of it, whichever way a distance of 0 was rounded. No mean
+/// is larger than a section, however flat the distance is across an edge of the target.
+double boundary_mm2_of(const Tetrahedron& t, double half_width) noexcept {
+  std::array<double, 4> d = {t[0].d, t[1].d, t[2].d, t[3].d};
+  const auto [least, most] = std::ranges::minmax(d);
+  if (least >= half_width || most <= -half_width) return 0.0;
+  const Vec3 a = t[1].p - t[0].p, b = t[2].p - t[0].p, c = t[3].p - t[0].p;
+  // Six volumes times the slope of the distance.
+  const Vec3 slope = (d[1] - d[0]) * glm::cross(b, c) + (d[2] - d[0]) * glm::cross(c, a) + (d[3] - d[0]) * glm::cross(a, b);
+  std::ranges::sort(d);
+  const double share = share_below(d, half_width) - share_below(d, -half_width);
+  return std::sqrt(glm::dot(slope, slope)) / 6.0 * share / (2.0 * half_width);
 }
 
 /// Divides a tetrahedron where a value, linear between its corners, is 0.
@@ -189,11 +218,7 @@ void RegionClassifier::tetrahedron(const std::array<Vec3, 4>& corners, double mm
     const Near near = near_at(corners[i]);
     t[i] = {corners[i], near.wall_mm, near.floor_mm, near.distance_mm};
   }
-  const auto [least, most] = std::ranges::minmax(t, {}, &Corner::d);
-  // Its mean section over the distances that it holds. Across an edge of the target all corners may lie on the boundary, but for
-  // rounding: no section is as large as a cell's face.
-  const double section_mm2 = mm3 / (most.d - least.d), face_mm2 = (high_.x - low_.x) * (high_.x - low_.x);
-  if (least.d < 0.0 && most.d > 0.0 && section_mm2 < face_mm2) boundary_mm2_ += section_mm2;
+  boundary_mm2_ += boundary_mm2_of(t, kSectionVoxels * (high_.x - low_.x));
   double floor_edge = leeway_.floor_mm, side_edge = leeway_.side_mm;
   Near middle;
   if (upright_ == nullptr) {  // a tetrahedron has one floor and one wall: those that its middle is nearest to
