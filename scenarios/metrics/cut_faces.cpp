@@ -49,6 +49,10 @@ double floor_inset_mm(const Reference& reference) noexcept {
 
 using FacesByName = std::array<std::vector<CutFace>, kFaceNames>;
 
+void append(const FacesByName& from, FacesByName& to) {
+  for (std::size_t name = 0; name < kFaceNames; ++name) to[name].insert(to[name].end(), from[name].begin(), from[name].end());
+}
+
 /// Of a lone upright outline, by normals.
 class UprightFaces final : public FaceSink {
  public:
@@ -58,21 +62,25 @@ class UprightFaces final : public FaceSink {
     wall_from_mm_ = floor + reference.shape().corner_mm() + 0.5 * volume.grid().voxel_mm;
   }
   const FacesByName& faces() const noexcept { return faces_; }
+  const FacesByName& feet() const noexcept { return feet_; }
 
  private:
   void take(const CutFace& face, double mm2) override {
-    if (const auto name = name_of(face, mm2)) faces_[static_cast<std::size_t>(*name)].push_back(face);
+    const auto name = name_of(face, mm2);
+    if (!name) return;
+    const bool foot = !is_floor(*name) && face.middle_mm.z < wall_from_mm_;
+    (foot ? feet_ : faces_)[static_cast<std::size_t>(*name)].push_back(face);
   }
   std::optional<FaceName> name_of(const CutFace& face, double mm2) const noexcept {
     const Vec3 n = face.area_mm2 / mm2;
     const double u = reference_.shape().outline_mm({face.middle_mm.x, face.middle_mm.y});
     if (n.z >= kFloorCosine) return u <= -floor_inset_mm(reference_) ? std::optional(FaceName::pulpal_floor) : std::nullopt;
-    if (n.z <= -kFloorCosine || face.middle_mm.z < wall_from_mm_ || u > kWallReachMm) return std::nullopt;
+    if (n.z <= -kFloorCosine || u > kWallReachMm) return std::nullopt;
     return wall_by_normal(n, reference_.mesial_x());
   }
 
   const Reference& reference_;
-  FacesByName faces_;
+  FacesByName faces_, feet_;
   double wall_from_mm_ = 0;
 };
 
@@ -125,11 +133,13 @@ class TreeDivision {
       floor_mm2_[floor] += one.mm2;
     }
   }
-  /// nullopt: a wall below the floor that was cut there.
-  std::optional<FaceName> name_of(const TreeFaces::Candidate& one) const noexcept {
+  /// A wall in the line angle beside the floor that was cut there, or below it.
+  bool is_foot(const TreeFaces::Candidate& one) const noexcept {
     const auto floor = static_cast<std::size_t>(one.floor);
     const double cut_beyond = floor_mm2_[floor] > 0.0 ? floor_sum_[floor] / floor_mm2_[floor] : 0.0;
-    if (!is_floor(one.name) && one.floor_mm > cut_beyond - above_floor_) return std::nullopt;
+    return !is_floor(one.name) && one.floor_mm > cut_beyond - above_floor_;
+  }
+  FaceName name_of(const TreeFaces::Candidate& one) const noexcept {
     return one.name == FaceName::side_wall && reference_.mesial_x() != 0 ? wall_by_normal(one.face.normal, reference_.mesial_x()) : one.name;
   }
   bool knows_side(const TreeFaces::Candidate& one) const noexcept { return one.name != FaceName::side_wall || reference_.mesial_x() != 0; }
@@ -159,9 +169,10 @@ CutFaces::CutFaces(const Reference& reference, const Volume& volume, const std::
   if (reference.shape().empty() || volume.specimen().reading() == Reading::filled) return;
   if (reference.shape().upright() != nullptr) {
     side_known_.fill(reference.mesial_x() != 0);
-    for (const auto& sink : sinks_of<UprightFaces>(volume, [&] { return std::make_unique<UprightFaces>(reference, volume, depth); }))
-      for (std::size_t name = 0; name < kFaceNames; ++name)
-        faces_[name].insert(faces_[name].end(), sink->faces()[name].begin(), sink->faces()[name].end());
+    for (const auto& sink : sinks_of<UprightFaces>(volume, [&] { return std::make_unique<UprightFaces>(reference, volume, depth); })) {
+      append(sink->faces(), faces_);
+      append(sink->feet(), feet_);
+    }
     return;
   }
   auto sinks = sinks_of<TreeFaces>(volume, [&] { return std::make_unique<TreeFaces>(reference, volume); });
@@ -170,14 +181,17 @@ CutFaces::CutFaces(const Reference& reference, const Volume& volume, const std::
   std::array<std::size_t, kFaceNames> count{};
   for (const auto& sink : sinks)
     for (const TreeFaces::Candidate& one : sink->candidates())
-      if (const auto name = division.name_of(one)) ++count[static_cast<std::size_t>(*name)];
+      if (!division.is_foot(one)) ++count[static_cast<std::size_t>(division.name_of(one))];
   for (std::size_t name = 0; name < kFaceNames; ++name) faces_[name].reserve(count[name]);
   for (auto& sink : sinks) {
     for (const TreeFaces::Candidate& one : sink->candidates()) {
-      const auto name = division.name_of(one);
-      if (!name) continue;
-      faces_[static_cast<std::size_t>(*name)].push_back(one.face);
-      side_known_[static_cast<std::size_t>(*name)] = division.knows_side(one);
+      const auto name = static_cast<std::size_t>(division.name_of(one));
+      if (division.is_foot(one)) {
+        feet_[name].push_back(one.face);
+        continue;
+      }
+      faces_[name].push_back(one.face);
+      side_known_[name] = division.knows_side(one);
     }
     sink.reset();
   }

@@ -39,11 +39,13 @@ class CutFaces {
   CutFaces(const Reference& reference, const Volume& volume, const std::optional<FloorDepth>& depth);
 
   const std::vector<CutFace>& of(FaceName name) const noexcept { return faces_[static_cast<std::size_t>(name)]; }
+  /// What lies below a wall, in the line angle or deeper: it has the wall's normal, but no part in the wall's form.
+  const std::vector<CutFace>& foot_of(FaceName wall) const noexcept { return feet_[static_cast<std::size_t>(wall)]; }
   /// Without a tooth's number nobody knows where mesial is: walls named by their normals are then in of(), mirrored or not.
   bool side_known(FaceName name) const noexcept { return side_known_[static_cast<std::size_t>(name)]; }
 
  private:
-  std::array<std::vector<CutFace>, kFaceNames> faces_;
+  std::array<std::vector<CutFace>, kFaceNames> faces_, feet_;
   std::array<bool, kFaceNames> side_known_{};
 };
 

@@ -160,15 +160,19 @@ std::optional<RidgeThickness> ridge_thickness(const CutFaces& faces, const Refer
   std::map<int, Vec3> outermost;
   const double strip = 0.5 * volume.grid().voxel_mm;
   double low = std::numeric_limits<double>::max();
-  for (const CutFace& face : faces.of(wall)) {
-    if (!is_of_cavity(volume, face.middle_mm, direction)) continue;
+  const auto take = [&](const CutFace& face) {
+    if (!is_of_cavity(volume, face.middle_mm, direction)) return false;
     const int key = static_cast<int>(std::floor(face.middle_mm.y / strip));
     const auto [it, first] = outermost.try_emplace(key, face.middle_mm);
     if (!first && direction * (face.middle_mm.x - it->second.x) > 0.0) it->second = face.middle_mm;
-    low = std::min(low, face.middle_mm.z);
-  }
+    return true;
+  };
+  for (const CutFace& face : faces.of(wall))
+    if (take(face)) low = std::min(low, face.middle_mm.z);
   const std::vector<Wall> far = far_walls(reference, volume, direction);
   for (const Wall& one : far) low = std::min(low, one.at_mm.z);
+  if (outermost.empty() && far.empty()) return std::nullopt;
+  for (const CutFace& face : faces.foot_of(wall)) take(face);  // of a wall that converges occlusally the outermost
   ProximalContour contour(volume, direction);
   std::optional<RidgeThickness> best;
   const auto offer = [&](const Wall& one) {

@@ -1,8 +1,8 @@
 /// What is left of the tooth beside a preparation. Source: dental.md 2.2, row set A and class I ("marginal ridge").
 ///
 /// ridge_mesial, ridge_distal (mm): least mesiodistal distance from the wall to the tooth's greatest proximal contour at
-/// the same buccolingual place, as a calliper held across the marginal ridge measures it. A scratch on the ridge is no wall.
-/// A ridge that is cut through has 0.
+/// the same buccolingual place, as a calliper held across the marginal ridge measures it. A wall that converges occlusally is
+/// outermost at its foot. A scratch on the ridge is no wall. A ridge that is cut through has 0.
 /// Needs: a tooth whose sides are known, a banded volume, a cut towards that side, a target that leaves that ridge.
 #pragma once
 

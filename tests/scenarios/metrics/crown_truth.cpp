@@ -246,10 +246,24 @@ double CrownTruth::ridge(double low, double direction) const {
     const auto [it, first] = wall.try_emplace(static_cast<int>(std::floor(at.y / kStrip)), at);
     if (!first && direction * (at.x - it->second.x) > 0.0) it->second = at;
   };
+  // Below `low`, down to the line angle: of a wall that converges occlusally the outermost.
+  const auto offer_foot = [&](double deg) {
+    const Vec3 way(std::cos(deg * kRadians), std::sin(deg * kRadians), 0.0);
+    for (double z = low; z > p_.place.z - p_.depth - 0.3; z -= 0.02) {
+      const auto outside = [&](double r) { return p_.distance(Vec3(p_.place.x, p_.place.y, z) + r * way); };
+      double in = 2.2;
+      while (in > 0.0 && outside(in) >= 0.0) in -= 0.1;
+      if (in <= 0.0) return;
+      const Vec3 at = Vec3(p_.place.x, p_.place.y, z) + zero_between(in + 0.1, in, outside) * way;
+      const Vec3 normal = glm::normalize(slope([&](Vec3 q) { return p_.distance(q); }, at));
+      if (std::fabs(normal.z) < 0.70710678) offer(at);  // no floor
+    }
+  };
   for (const MarginPlace& m : margin_) {
     if (m.at.z < low) continue;
     offer(m.at);
     offer(p_.wall_at(low, m.deg));
+    offer_foot(m.deg);
   }
   double best = kNever;
   for (const auto& [strip, at] : wall) best = std::min(best, contour(at.y, low, direction) - direction * at.x);

@@ -38,8 +38,8 @@ std::map<std::string, double> truth_of(const Preparation& p, double low) {
   out["floor_flatness"] = 0.0;
   out["floor_tilt"] = std::atan(std::hypot(p.tilt_x, p.tilt_y)) / kRadians;
   out["isthmus_width"] = 2.0 * p.half_y + p.depth * (p.lean[2].y / p.lean[2].x + p.lean[3].y / p.lean[3].x);
-  out["ridge_mesial"] = kBlockHalf.x - std::max(p.furthest_x(low, 1.0), p.furthest_x(0.0, 1.0));
-  out["ridge_distal"] = kBlockHalf.x - std::max(p.furthest_x(low, -1.0), p.furthest_x(0.0, -1.0));
+  out["ridge_mesial"] = kBlockHalf.x - p.furthest_x(1.0);
+  out["ridge_distal"] = kBlockHalf.x - p.furthest_x(-1.0);
   return out;
 }
 
@@ -131,6 +131,35 @@ TEST(Form, OfAMirroredToothNamesTheOtherSide) {
     EXPECT_EQ(measures[0].metric, "wall_angle_mesial");
     EXPECT_NEAR(measures[0].value, mesial, measures[0].uncertainty) << fdi;
   }
+}
+
+TEST(Form, ARidgeBesideAWallThatConvergesIsMeasuredAtItsFoot) {
+  constexpr double kToWallMm = 1.2, kConvergesDeg = 8.0;
+  // Of a rounded line angle (u + r)² + (v + r)² = r², u out of the wall and v below the floor: the place furthest along x.
+  const double rise = std::sin(kConvergesDeg * kRadians), run = std::cos(kConvergesDeg * kRadians);
+  const double fillet_mm = kCorner * (std::sqrt(1.0 + rise * rise) - 1.0 - rise) / run;
+  for (const auto& [kind, outermost] : {std::pair{Kind::tapered, kToWallMm}, {Kind::rounded, kToWallMm + fillet_mm}})
+    for (const double voxel_mm : {0.05, 0.1, 0.2})
+      for (const double phase : {0.0, 0.5}) {
+        SCOPED_TRACE(testing::Message() << voxel_mm << " mm, phase " << phase << (kind == Kind::rounded ? ", rounded" : ", sharp"));
+        Grid grid;
+        grid.voxel_mm = voxel_mm;
+        grid.size = IVec3(glm::ceil(2.0 * kBlockHalf / voxel_mm)) + 10;
+        grid.origin_mm = kBlockCentre - kBlockHalf + voxel_mm * (Vec3(phase) - 5.0);
+        const auto specimen = carved::specimen(grid, Reading::banded, block_of_tooth, dentine_alone);
+        Preparation p{.kind = kind, .half_x = kToWallMm};
+        p.lean[0] = p.lean[1] = direction(-kConvergesDeg);
+        Volume volume(specimen);
+        carved::carve(volume, [&](Vec3 at) { return p.distance(at); });
+        std::vector<Measure> measures;
+        const Reference reference(exercise_on_36(), specimen);
+        add_form(CutFaces(reference, volume, floor_depth(reference, volume)), margin_points(volume), reference, volume, measures);
+        for (const char* metric : {"ridge_mesial", "ridge_distal"}) {
+          const Measure& ridge = *std::ranges::find(measures, metric, &Measure::metric);
+          ASSERT_TRUE(ridge.measured) << metric;
+          EXPECT_NEAR(ridge.value, kBlockHalf.x - outermost, ridge.uncertainty) << metric;  // measured 0.12 voxel of 0.14 at most
+        }
+      }
 }
 
 TEST(Form, ARidgeIsOfTheToothsOwnTissuesWhateverTheirCodes) {

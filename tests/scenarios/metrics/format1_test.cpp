@@ -2,6 +2,7 @@
 // figures of format1.golden were written by the last program of format 1 (evaluator 3), as bits: equal means equal.
 // Evaluator 4 marks less of an attempt that leaves part of the target (scenarios/grading/grader.h). Evaluator 5 has another
 // isthmus, evaluator 7 another distance to the pulp: those two are left out. Evaluator 8 is less sure of the target: its uncertainty is.
+// Evaluator 13 measures a ridge at the foot of its wall: ridges have a test of their own.
 
 #include <gtest/gtest.h>
 
@@ -107,16 +108,17 @@ std::string figures_of(const Case& c) {
 /// Lines of one attempt: its score, then its points and values.
 struct Attempt {
   std::string score;
-  std::vector<std::string> points, values;
+  std::vector<std::string> points, values, ridges;
 };
 
 std::vector<Attempt> attempts_of(const std::string& figures) {
   std::vector<Attempt> out;
   std::istringstream lines(figures);
   for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with("  ")) out.push_back({line, {}, {}});
+    if (!line.starts_with("  ")) out.push_back({line, {}, {}, {}});
     else if (line.starts_with("  points")) out.back().points.push_back(line);
     else if (line.starts_with("  value target_removed ") || line.starts_with("  value undercut ")) out.back().values.push_back(line.substr(0, line.rfind(' ')));
+    else if (line.starts_with("  value ridge_")) out.back().ridges.push_back(line);
     else if (!line.starts_with("  value isthmus_width ") && !line.starts_with("  value remaining_over_pulp ")) out.back().values.push_back(line);
   }
   return out;
@@ -139,6 +141,29 @@ const Both& both() {
 TEST(Format1, MeasuresBitForBitAsTheProgramOfFormat1) {
   ASSERT_EQ(both().now.size(), both().then.size());
   for (std::size_t i = 0; i < both().now.size(); ++i) EXPECT_EQ(both().now[i].values, both().then[i].values) << both().then[i].score;
+}
+
+TEST(Format1, MeasuresARidgeAtTheFootOfItsWallWithinWhatItIsKnownBy) {
+  struct Ridge {
+    char metric[16];
+    double value, uncertainty;
+  };
+  const auto ridge_of = [](const std::string& line) {
+    Ridge out{};
+    EXPECT_EQ(std::sscanf(line.c_str(), "  value %15s %la %la", out.metric, &out.value, &out.uncertainty), 3) << line;
+    return out;
+  };
+  for (std::size_t i = 0; i < both().now.size(); ++i) {
+    const Attempt &now = both().now[i], &then = both().then[i];
+    ASSERT_EQ(now.ridges.size(), then.ridges.size());
+    for (std::size_t k = 0; k < now.ridges.size(); ++k) {
+      const Ridge at_foot = ridge_of(now.ridges[k]), at_wall = ridge_of(then.ridges[k]);
+      EXPECT_STREQ(at_foot.metric, at_wall.metric);
+      EXPECT_LE(at_foot.value, at_wall.value) << "the foot stands no further in";
+      EXPECT_NEAR(at_foot.value, at_wall.value, at_wall.uncertainty) << then.score << ": walls are upright";
+      EXPECT_EQ(at_foot.uncertainty, at_wall.uncertainty);
+    }
+  }
 }
 
 TEST(Format1, MarksBitForBitAsEvaluator3WhereTheTargetIsOut) {

@@ -59,9 +59,19 @@ struct Preparation {
     }
     return axis + in * way;
   }
-  double furthest_x(double z, double direction) const {
+  /// Of all heights from the floor up to where depth is from, a line angle included.
+  double furthest_x(double direction) const {
     double best = 0;
-    for (double deg = 0.0; deg < 360.0; deg += 0.25) best = std::max(best, direction * (wall_at(z, deg).x - place.x));
+    for (double z = -depth - 0.3; z <= 0.0; z += 0.01)
+      for (double y = -1.6; y <= 1.6; y += 0.02) {
+        const auto is_void = [&](double x) { return distance(place + Vec3(direction * x, y, z)) < 0.0; };
+        double in = best, out = 3.4;
+        for (int i = 0; is_void(best) && i < 36; ++i) {
+          const double middle = 0.5 * (in + out);
+          (is_void(middle) ? in : out) = middle;
+        }
+        best = in;
+      }
     return best;
   }
 };
