@@ -125,6 +125,20 @@ bool on_pulpal_floor(const TargetShape& shape, Vec3 p, double inset) noexcept {
   return facing && facing->face == FaceName::pulpal_floor && facing->wall_mm <= -inset && shape.bounded_by(*facing, p);
 }
 
+/// Of a tree: below a pulpal floor of the target, where the specimen ended or a floor of another part is nearer. `p`: where the
+/// column's tissue begins or ended.
+bool is_below_pulpal_floor(const TargetShape& shape, Vec3 p, double inset) noexcept {
+  constexpr double kAtTargetMm = 0.01;
+  constexpr int kMostSteps = 64;
+  double d = shape.distance_mm(p);
+  if (d < kAtTargetMm) return false;
+  for (int i = 0; i < kMostSteps && d >= kAtTargetMm && p.z < shape.top_mm(); ++i) {
+    p.z += d;  // nothing of the target is nearer
+    d = shape.distance_mm(p);
+  }
+  return d < kAtTargetMm && on_pulpal_floor(shape, p, inset);
+}
+
 template <class Column>
 std::optional<FloorDepth> over_outline(const Reference& reference, const Volume& volume, Column column) {
   const TargetShape& shape = reference.shape();
@@ -143,12 +157,13 @@ std::optional<FloorDepth> over_outline(const Reference& reference, const Volume&
       const Vec2 p = first + step * Vec2(i, j);
       if (shape.upright() != nullptr && shape.outline_mm(p) > -inset) continue;
       const Vec2 at_voxel((p.x - grid.origin_mm.x) / grid.voxel_mm, (p.y - grid.origin_mm.y) / grid.voxel_mm);
-      std::optional<Floor> floor = column.look(at_voxel.x, at_voxel.y);
-      if (!floor && shape.upright() != nullptr) floor = column.cut_through(at_voxel.x, at_voxel.y);
+      const std::optional<Floor> left = column.look(at_voxel.x, at_voxel.y);
+      const std::optional<Floor> floor = left ? left : column.cut_through(at_voxel.x, at_voxel.y);
       if (!floor || !floor->cut || floor->level < kLevel) continue;
-      if (shape.upright() == nullptr && !on_pulpal_floor(shape, {p.x, p.y, floor->z_mm}, inset)) continue;
-      const double depth = shape.top_mm() - floor->z_mm;
       const Vec3 at(p.x, p.y, floor->z_mm);
+      const bool pulpal = shape.upright() != nullptr || (left && on_pulpal_floor(shape, at, inset));
+      if (!pulpal && !is_below_pulpal_floor(shape, at, inset)) continue;
+      const double depth = shape.top_mm() - floor->z_mm;
       if (out.samples == 0 || depth < out.least_mm) {
         out.least_mm = depth;
         out.least_at_mm = at;

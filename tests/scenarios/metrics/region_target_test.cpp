@@ -52,6 +52,37 @@ TEST(TreeTarget, DepthIsThatOfThePulpalFloorAlone) {
   EXPECT_NEAR(get(measures, "depth_most").value, 2.0, 0.02) << "the gingival floor at 4 mm is none";
 }
 
+Shape with(Shape a, Shape b) {
+  return [a = std::move(a), b = std::move(b)](Vec3 p) { return std::min(a(p), b(p)); };
+}
+
+TEST(TreeTarget, AFloorThatIsCutRightThroughIsAsDeepAsTheSpecimen) {
+  constexpr double kThick = 6.0;
+  const Region target = class_two(4);
+  const auto through = measured(exercise(target), with(exactly(target), exactly(region_of(isthmus(1.2, 9)))));
+  for (const char* metric : {"depth_least", "depth_mean", "depth_most"}) {
+    const Measure m = get(through, metric);
+    ASSERT_TRUE(m.measured) << metric << ": else its points would go to what is left of the rubric";
+    EXPECT_NEAR(m.value, kThick, m.uncertainty) << metric;
+  }
+  const auto hole = measured(exercise(target), with(exactly(target), exactly(box_region({-1, 0, -5}, {0.5, 0.5, 9}))));
+  EXPECT_NEAR(get(hole, "depth_least").value, 2.0, get(hole, "depth_least").uncertainty);
+  EXPECT_NEAR(get(hole, "depth_most").value, kThick, get(hole, "depth_most").uncertainty);
+}
+
+TEST(TreeTarget, AHoleInThePulpalFloorIsADepthHoweverNearAnotherFloorLies) {
+  const Region target = class_two(4);
+  // Down to the gingival floor, and 0.2 mm beside it.
+  const auto measures = measured(exercise(target), with(exactly(target), exactly(box_region({1.5, 0, -2}, {0.6, 0.6, 4}))));
+  EXPECT_NEAR(get(measures, "depth_most").value, 4.0, get(measures, "depth_most").uncertainty);
+}
+
+TEST(TreeTarget, ABoxThatIsCutRightThroughLeavesTheDepthOfThePulpalFloor) {
+  const auto measures = measured(exercise(class_two(4)), exactly(class_two(9)));
+  EXPECT_NEAR(get(measures, "depth_mean").value, 2.0, 0.005);
+  EXPECT_NEAR(get(measures, "depth_most").value, 2.0, 0.02);
+}
+
 TEST(TreeTarget, ARoundedAxiopulpalLineAngleIsNoFloor) {
   Region target = class_two(4);
   target.rounding_mm = 0.5;
