@@ -1,6 +1,7 @@
 #include "scenarios/metrics/measure.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/volume/cut_volume.h"
 #include "scenarios/format/keys.h"
@@ -131,7 +132,8 @@ void add_pulp(const Reference& reference, const Volume& volume, const RegionShar
     NearPulpSink near(reference, volume, sum.pulp_mm + sigma);
     for (const BrickShares& one : bricks)
       if (one.shares.pulp_mm < sum.pulp_mm + sigma) emit_removed(volume, one.brick, near);
-    out.push_back(measured("remaining_over_pulp", *over_pulp, sigma, "mm", near.best.found() ? near.best.at_mm : sum.pulp_at_mm));
+    const std::optional<Vec3> nearest = std::isfinite(sum.pulp_mm) ? std::optional(sum.pulp_at_mm) : std::nullopt;  // of a tooth that is gone whole none
+    out.push_back(measured("remaining_over_pulp", *over_pulp, sigma, "mm", near.best.found() ? std::optional(near.best.at_mm) : nearest));
   }
   if (reference.pulp().empty()) {
     out.push_back(not_measured("pulp_exposure", ""));

@@ -124,9 +124,10 @@ void RegionShares::add(const RegionShares& other) noexcept {
 }
 
 std::optional<double> over_pulp_mm(const Reference& reference, const Volume& volume, const RegionShares& sum) {
-  if (reference.pulp().empty() || !std::isfinite(sum.pulp_mm)) return std::nullopt;
+  if (reference.pulp().empty()) return std::nullopt;
   const bool left = std::ranges::any_of(reference.pulp().voxels(), [&](IVec3 v) { return volume.occupied(v); });
-  return left ? sum.pulp_mm : 0.0;
+  if (!left) return 0.0;
+  return std::isfinite(sum.pulp_mm) ? std::optional(sum.pulp_mm) : std::nullopt;
 }
 
 RegionShares shares_of_brick(const Reference& reference, const Volume& volume, int brick) {

@@ -27,7 +27,8 @@ struct RegionShares {
   void add(const RegionShares& other) noexcept;
 };
 
-/// remaining_over_pulp, mm. 0 once nothing of the pulp is left: then no cut surface passes it. nullopt: no pulp, or no cut surface.
+/// remaining_over_pulp, mm. 0 once nothing of the pulp is left: then no cut surface passes it, and of a tooth that is gone whole
+/// there is none. nullopt: no pulp, or one that no cut surface is near.
 /// `sum`: of all bricks.
 [[nodiscard]] std::optional<double> over_pulp_mm(const Reference& reference, const Volume& volume, const RegionShares& sum);
 

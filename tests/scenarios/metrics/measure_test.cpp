@@ -254,6 +254,17 @@ TEST(Measure, NothingRemainsOverAPulpThatIsGoneWhole) {
   EXPECT_EQ(live.reading().remaining_over_pulp_mm, 0.0);
 }
 
+TEST(Measure, NothingRemainsOverThePulpOfAToothThatIsGoneWhole) {
+  const Bench bench;
+  Volume volume(bench.specimen);
+  carved::carve(volume, [](Vec3) { return -10.0; });
+  EXPECT_EQ(bench.get(volume, "pulp_exposure").value, 1.0);
+  const Measure m = bench.get(volume, "remaining_over_pulp");
+  EXPECT_TRUE(m.measured) << "else its points go to what is left of the rubric";
+  EXPECT_EQ(m.value, 0.0);
+  EXPECT_FALSE(m.where_mm.has_value());  // there is no cut surface
+}
+
 TEST(Measure, WithoutPulpItIsNotMeasured) {
   const Bench bench(0.1, Reading::banded, no_pulp);
   Volume volume(bench.specimen);
