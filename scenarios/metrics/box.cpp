@@ -92,26 +92,29 @@ void add(const char* key, const std::optional<MeasuredLength>& one, std::vector<
 
 }  // namespace
 
-std::optional<MeasuredLength> gingival_above_cej(const CutFaces& faces, const Reference& reference) {
+std::optional<MeasuredLength> gingival_above_cej(const CutFaces& faces, const Reference& reference, std::optional<Vec3> through) {
   const std::vector<CutFace>& floor = faces.of(FaceName::gingival_floor);
-  const ToothLandmarks* landmarks = floor.empty() ? nullptr : reference.landmarks();
+  const ToothLandmarks* landmarks = floor.empty() && !through ? nullptr : reference.landmarks();
   if (landmarks == nullptr || landmarks->cej.size() < 3) return std::nullopt;
   const double place_mm = reference.point_sigma_mm(), line_mm = reference.landmark_sigma_mm(MarkKind::cej);
   const double known_mm = std::sqrt(place_mm * place_mm + line_mm * line_mm);
   MeasuredLength out{std::numeric_limits<double>::max(), known_mm, Vec3(0.0)};
-  for (const CutFace& face : floor) {
-    const double mm = face.middle_mm.z - line_height(landmarks->cej, face.middle_mm);
-    if (mm >= out.mm) continue;
+  const auto offer = [&](Vec3 at) {
+    const double mm = at.z - line_height(landmarks->cej, at);
+    if (mm >= out.mm) return;
     out.mm = mm;
-    out.at_mm = face.middle_mm;
-  }
+    out.at_mm = at;
+  };
+  for (const CutFace& face : floor) offer(face.middle_mm);
+  if (through) offer(*through);
   return out;
 }
 
-std::optional<MeasuredLength> box_height(const CutFaces& faces, const Reference& reference) {
+std::optional<MeasuredLength> box_height(const CutFaces& faces, const Reference& reference, std::optional<Vec3> through) {
   const std::vector<CutFace>&gingival = faces.of(FaceName::gingival_floor), &pulpal = faces.of(FaceName::pulpal_floor);
-  if (gingival.empty() || pulpal.empty()) return std::nullopt;
-  return MeasuredLength{mean_z(pulpal) - mean_z(gingival), std::sqrt(2.0) * reference.point_sigma_mm(), gingival.front().middle_mm};
+  if (pulpal.empty() || (gingival.empty() && !through)) return std::nullopt;
+  const double low = gingival.empty() ? through->z : mean_z(gingival);
+  return MeasuredLength{mean_z(pulpal) - low, std::sqrt(2.0) * reference.point_sigma_mm(), gingival.empty() ? *through : gingival.front().middle_mm};
 }
 
 std::optional<AxialDepth> axial_past_junction(const CutFaces& faces, const Reference& reference) {
@@ -137,9 +140,10 @@ std::optional<AxialDepth> axial_past_junction(const CutFaces& faces, const Refer
   return out;
 }
 
-void add_box(const CutFaces& faces, const Reference& reference, std::vector<Measure>& out) {
-  add("gingival_above_cej", gingival_above_cej(faces, reference), out);
-  add("box_height", box_height(faces, reference), out);
+void add_box(const CutFaces& faces, const Reference& reference, const Volume& volume, std::vector<Measure>& out) {
+  const std::optional<Vec3> through = lowest_cut_through(reference, volume, FaceName::gingival_floor);
+  add("gingival_above_cej", gingival_above_cej(faces, reference, through), out);
+  add("box_height", box_height(faces, reference, through), out);
   const std::optional<AxialDepth> axial = axial_past_junction(faces, reference);
   const auto part = [&](MeasuredLength AxialDepth::* one) { return axial ? std::optional((*axial).*one) : std::nullopt; };
   add("axial_past_junction_least", part(&AxialDepth::least), out);

@@ -4,7 +4,10 @@
 #include <cmath>
 
 #include "engine/volume/cell_field.h"
+#include "scenarios/metrics/cut_faces.h"
+#include "scenarios/metrics/surface_search.h"
 #include "scenarios/modules.h"
+#include "scenarios/teeth/own_tissues.h"
 
 namespace cusp::scenarios {
 
@@ -119,33 +122,45 @@ class FilledColumn {
   const Volume& volume_;
 };
 
-/// Of a tree: a floor that faces its pulpal floor, and off that part's walls by the inset.
-bool on_pulpal_floor(const TargetShape& shape, Vec3 p, double inset) noexcept {
-  const std::optional<Facing> facing = shape.facing(p, Vec3(0.0, 0.0, 1.0));
-  return facing && facing->face == FaceName::pulpal_floor && facing->wall_mm <= -inset && shape.bounded_by(*facing, p);
+constexpr Vec3 kUp{0.0, 0.0, 1.0};
+
+/// Of a tree: at such a floor of the target, off that part's walls by the inset.
+bool on_floor(const TargetShape& shape, FaceName floor, const Facing& facing, Vec3 p, double inset) noexcept {
+  return facing.face == floor && facing.wall_mm <= -inset && shape.bounded_by(facing, p);
 }
 
-/// Of a tree: below a pulpal floor of the target, where the specimen ended or a floor of another part is nearer. `p`: where the
-/// column's tissue begins or ended.
-bool is_below_pulpal_floor(const TargetShape& shape, Vec3 p, double inset) noexcept {
+/// Of a tree: straight below such a floor, and no over-cut beside another floor. `p`: where the column's tissue
+/// begins or ended.
+bool is_below_floor(const TargetShape& shape, FaceName floor, Vec3 p, double inset) noexcept {
   constexpr double kAtTargetMm = 0.01;
   constexpr int kMostSteps = 64;
+  const std::optional<Facing> nearest = shape.facing(p, kUp);
+  if (nearest && nearest->face != floor && nearest->beside_mm <= kWallReachMm) return false;
   double d = shape.distance_mm(p);
   if (d < kAtTargetMm) return false;
   for (int i = 0; i < kMostSteps && d >= kAtTargetMm && p.z < shape.top_mm(); ++i) {
     p.z += d;  // nothing of the target is nearer
     d = shape.distance_mm(p);
   }
-  return d < kAtTargetMm && on_pulpal_floor(shape, p, inset);
+  const std::optional<Facing> above = d < kAtTargetMm ? shape.facing(p, kUp) : std::nullopt;
+  return above && on_floor(shape, floor, *above, p, inset);
 }
+
+/// Of a tree: what a bur left of such a floor. In a hole the floor of another part may be nearer.
+bool is_of_floor(const TargetShape& shape, FaceName floor, Vec3 p, double inset) noexcept {
+  const std::optional<Facing> facing = shape.facing(p, kUp);
+  return facing && facing->face == floor ? on_floor(shape, floor, *facing, p, inset) : is_below_floor(shape, floor, p, inset);
+}
+
+/// A quarter of a voxel less than the target's corner, so that a slot as wide as the bur, whose floor is a line, keeps its columns.
+double floor_inset(const TargetShape& shape, const Grid& grid) noexcept { return shape.corner_mm() - 0.25 * grid.voxel_mm; }
 
 template <class Column>
 std::optional<FloorDepth> over_outline(const Reference& reference, const Volume& volume, Column column) {
   const TargetShape& shape = reference.shape();
   const Grid& grid = volume.grid();
   const double step = 0.5 * grid.voxel_mm;
-  // Half a step more than the inset, so that a slot as wide as the bur, whose floor is a line, keeps its columns.
-  const double inset = shape.corner_mm() - 0.5 * step;
+  const double inset = floor_inset(shape, grid);
   constexpr double kLevel = 0.70710678;  // 45 degrees
   FloorDepth out;
   double sum = 0;
@@ -161,8 +176,8 @@ std::optional<FloorDepth> over_outline(const Reference& reference, const Volume&
       const std::optional<Floor> floor = left ? left : column.cut_through(at_voxel.x, at_voxel.y);
       if (!floor || !floor->cut || floor->level < kLevel) continue;
       const Vec3 at(p.x, p.y, floor->z_mm);
-      const bool pulpal = shape.upright() != nullptr || (left && on_pulpal_floor(shape, at, inset));
-      if (!pulpal && !is_below_pulpal_floor(shape, at, inset)) continue;
+      const bool pulpal = shape.upright() != nullptr || (left ? is_of_floor : is_below_floor)(shape, FaceName::pulpal_floor, at, inset);
+      if (!pulpal) continue;
       const double depth = shape.top_mm() - floor->z_mm;
       if (out.samples == 0 || depth < out.least_mm) {
         out.least_mm = depth;
@@ -180,7 +195,31 @@ std::optional<FloorDepth> over_outline(const Reference& reference, const Volume&
   return out;
 }
 
+/// Whether tissue of the tooth ended below here.
+bool ends_own_tissue(const Specimen& specimen, Vec3 p) noexcept {
+  return is_own_hard(specimen.tissue(nearest_voxel(specimen.grid(), p + Vec3(0.0, 0.0, 0.5 * specimen.grid().voxel_mm))));
+}
+
 }  // namespace
+
+std::optional<Vec3> lowest_cut_through(const Reference& reference, const Volume& volume, FaceName floor) {
+  const TargetShape& shape = reference.shape();
+  if (shape.empty() || shape.upright() != nullptr || volume.cut_bricks().empty() || volume.specimen().reading() == Reading::filled) return std::nullopt;
+  const Grid& grid = volume.grid();
+  BandedColumn column(volume);
+  const Vec2 first = glm::max(shape.low(), Vec2(grid.origin_mm)), last = glm::min(shape.high(), Vec2(grid.centre_mm(grid.size - 1)));
+  std::optional<Vec3> lowest;
+  for (double y = first.y; y <= last.y; y += grid.voxel_mm)
+    for (double x = first.x; x <= last.x; x += grid.voxel_mm) {
+      const Vec2 at_voxel((x - grid.origin_mm.x) / grid.voxel_mm, (y - grid.origin_mm.y) / grid.voxel_mm);
+      if (column.look(at_voxel.x, at_voxel.y)) continue;
+      const std::optional<Floor> ended = column.cut_through(at_voxel.x, at_voxel.y);
+      if (!ended || (lowest && ended->z_mm >= lowest->z)) continue;
+      const Vec3 at(x, y, ended->z_mm);
+      if (ends_own_tissue(volume.specimen(), at) && is_below_floor(shape, floor, at, floor_inset(shape, grid))) lowest = at;
+    }
+  return lowest;
+}
 
 std::optional<FloorDepth> floor_depth(const Reference& reference, const Volume& volume) {
   if (reference.shape().empty() || !reference.shape().has_plane() || volume.cut_bricks().empty()) return std::nullopt;

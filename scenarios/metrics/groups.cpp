@@ -34,7 +34,7 @@ void add_groups(const CutFaces& faces, const std::vector<MarginPoint>& margin, c
   };
   if (asks_for_faces(reference)) add_volume(reference, volume, out);
   if (wanted({"surface_"})) add_surface(reference, volume, out);
-  if (wanted({"gingival_above_cej", "box_height", "axial_past_junction_"})) add_box(faces, reference, out);
+  if (wanted({"gingival_above_cej", "box_height", "axial_past_junction_"})) add_box(faces, reference, volume, out);
   if (wanted({"cavosurface_"})) add_margin(margin, reference, out);
   if (wanted({"unsupported_enamel"})) add_unsupported(reference, volume, out);
   if (wanted({"contact_broken", "clearance_", "gingival_floor_"})) add_proximal(faces, margin, reference, volume, out);

@@ -70,11 +70,17 @@ TEST(TreeTarget, AFloorThatIsCutRightThroughIsAsDeepAsTheSpecimen) {
   EXPECT_NEAR(get(hole, "depth_most").value, kThick, get(hole, "depth_most").uncertainty);
 }
 
-TEST(TreeTarget, AHoleInThePulpalFloorIsADepthHoweverNearAnotherFloorLies) {
+TEST(TreeTarget, AHoleInThePulpalFloorIsADepthThoughAnotherFloorIsNearer) {
   const Region target = class_two(4);
-  // Down to the gingival floor, and 0.2 mm beside it.
-  const auto measures = measured(exercise(target), with(exactly(target), exactly(box_region({1.5, 0, -2}, {0.6, 0.6, 4}))));
+  // Down to the gingival floor, which lies 1.4 mm beside it and the pulpal floor 2 mm above.
+  const auto measures = measured(exercise(target), with(exactly(target), exactly(box_region({0.3, 0, -2}, {0.6, 0.6, 4}))));
   EXPECT_NEAR(get(measures, "depth_most").value, 4.0, get(measures, "depth_most").uncertainty);
+}
+
+TEST(TreeTarget, OverCutOfTheAxialWallIsNoDepthOfThePulpalFloor) {
+  const Region target = class_two(4);
+  const auto measures = measured(exercise(target), with(exactly(target), exactly(box_region({2.8, 0, -1.5}, {2.4, 2.4, 5}))));
+  EXPECT_NEAR(get(measures, "depth_most").value, 2.0, 0.02) << "0.4 mm of over-cut";
 }
 
 TEST(TreeTarget, ABoxThatIsCutRightThroughLeavesTheDepthOfThePulpalFloor) {
@@ -176,6 +182,23 @@ TEST(TreeTarget, AGingivalFloorFarTooDeepIsStillMeasured) {
   const Measure m = get(measured(s, exactly(class_two(5.2))), "box_height");
   ASSERT_TRUE(m.measured);
   EXPECT_NEAR(m.value, 3.2, m.uncertainty);
+}
+
+TEST(TreeTarget, AGingivalFloorThatIsCutThroughLiesWhereTheToothEnded) {
+  constexpr double kThick = 6.0;
+  Scenario s = exercise(class_two(4));
+  s.rubric.criteria = {{"box_height", 1, {}}, {"gingival_above_cej", 1, {}}};
+  const auto exact = measured(s, exactly(class_two(4)));
+  const auto through = measured(s, exactly(class_two(9)));
+  const Measure height = get(through, "box_height"), above = get(through, "gingival_above_cej");
+  ASSERT_TRUE(height.measured && above.measured) << "else their points would go to what is left of the rubric";
+  EXPECT_NEAR(height.value, kThick - 2.0, height.uncertainty);
+  // The junction's height is of the nearest place in plan: 0.3 mm between the places of a floor.
+  EXPECT_NEAR(above.value, get(exact, "gingival_above_cej").value - (kThick - 4.0), 0.3);
+  // A hole of 0.5 mm in it: the mean height stays, the least does not.
+  const auto hole = measured(s, with(exactly(class_two(4)), exactly(box_region({3, 0, -5}, {0.5, 0.5, 9}))));
+  EXPECT_NEAR(get(hole, "box_height").value, 2.0, get(hole, "box_height").uncertainty);
+  EXPECT_NEAR(get(hole, "gingival_above_cej").value, above.value, 0.3);
 }
 
 /// About the z axis.
