@@ -114,7 +114,7 @@ def finish_what_was_killed(desk, station):
     os.rename(file, os.path.join(left, "copy.db"))
     with open(os.path.join(left, "copy.db.name"), "w", encoding="utf-8") as f:
         f.write("a process that has ended\n" + os.path.basename(file))
-    check("interrupted earlier" in station.refused("out", "--results", file), "a file that was not named yet")
+    check("was interrupted" in station.refused("out", "--results", file), "a file that was not named yet")
     check(os.path.exists(file) and not os.path.exists(left), "a file that was not named yet has no name still")
 
 

@@ -127,8 +127,6 @@ int write_file(const ExchangeOptions& o) {
   if (!in) return failed(in.error());
   const auto made = give_out(in->store->context(), in->actor, o.office ? ExchangeKind::office : ExchangeKind::results, o.file);
   if (!made) {
-    if (made.error().code == StorageError::duplicate && made.error().detail == "finished")
-      return failed(CliText::tr("Writing %1 was interrupted earlier. The file is now finished; give another name for a newer one.").arg(named(o.file)));
     const auto reason = reason_of_place(made.error(), o.file);
     return failed(reason ? cannot_write(o.file, *reason) : describe_exchange_failure(made.error(), named(o.file)));
   }

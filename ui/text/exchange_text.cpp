@@ -77,6 +77,10 @@ Message describe_exchange_failure(const StorageFailure& f, const QString& file) 
         return {Text::tr("%1 belongs to somebody else here.").arg(isolate(text(f.where))),
                 Text::tr("Change it here or in the office, and ask the office for a new file. Nothing was changed.")};
       }
+      if (f.detail == "finished") {
+        return {Text::tr("An earlier file of this name was interrupted."),
+                Text::tr("%1 is now finished. Choose another name for a newer one.").arg(shown_file)};
+      }
       if (!f.detail.empty()) return describe(f);
       return {Text::tr("A file of this name is there already."), Text::tr("%1 stayed as it was. Choose another name.").arg(shown_file)};
     default: return describe(f);

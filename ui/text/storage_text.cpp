@@ -256,6 +256,10 @@ Message describe(const StorageFailure& f) {
       return {Text::tr("This is the last administrator."),
               Text::tr("Somebody has to manage people. Make another administrator first.")};
     case StorageError::duplicate:
+      if (f.detail == "log") {
+        return {Text::tr("The log of other records lies there."),
+                Text::tr("%1 belongs to records that were moved away. Move it beside them, or choose another place with --db.").arg(where)};
+      }
       if (names_file(f)) return {Text::tr("This number or name is taken."), nothing_changed()};
       return {Text::tr("This is there already."), Text::tr("%1 is taken. Nothing was changed.").arg(where)};
     case StorageError::bad_value: return describe_bad_value(f);

@@ -10,6 +10,7 @@
 #include "scenarios/operators/single_fault.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "ui/text/exchange_text.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/incident_text.h"
@@ -251,6 +252,14 @@ TEST(Sentences, a_failure_about_a_person_names_the_number_and_never_the_file) {
   // Without an account the file is not named either.
   EXPECT_EQ(bare(describe(StorageFailure{StorageError::duplicate, file, "UNIQUE constraint failed"}).line()),
             "This number or name is taken. Nothing was changed.");
+}
+
+TEST(Sentences, what_another_program_left_behind_is_named_as_that) {
+  EXPECT_EQ(bare(describe(StorageFailure{StorageError::duplicate, "cusp.db-wal", "log"}).line()),
+            "The log of other records lies there. cusp.db-wal belongs to records that were moved away. Move it beside them, or choose "
+            "another place with --db.");
+  EXPECT_EQ(bare(describe_exchange_failure({StorageError::duplicate, "results.cusp", "finished"}, QStringLiteral("results.cusp")).line()),
+            "An earlier file of this name was interrupted. results.cusp is now finished. Choose another name for a newer one.");
 }
 
 TEST(Sentences, a_pin_is_called_a_pin_and_a_password_a_password) {
