@@ -3324,6 +3324,14 @@
         <source>it is written to a file, and - is none</source>
         <translation>es wird in eine Datei geschrieben, und - ist keine</translation>
     </message>
+    <message>
+        <source>%1 cannot be read.</source>
+        <translation>%1 kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Its permissions or those of its folder refuse it. Nothing was changed.</source>
+        <translation>Die Rechte der Datei oder ihres Ordners lassen es nicht zu. Es wurde nichts geändert.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
@@ -13926,6 +13934,22 @@ Ihr bester davor</translation>
     <message>
         <source>This computer’s clock says %1. Before those of the last days, the newest attempt or account is of %2.</source>
         <translation>Die Uhr dieses Computers zeigt den %1. Vor denen der letzten Tage ist der neueste Versuch oder das neueste Konto vom %2.</translation>
+    </message>
+    <message>
+        <source>An earlier file of this name was interrupted.</source>
+        <translation>Das Schreiben einer früheren Datei dieses Namens wurde unterbrochen.</translation>
+    </message>
+    <message>
+        <source>%1 is now finished. Choose another name for a newer one.</source>
+        <translation>%1 ist jetzt fertig. Wählen Sie für eine neuere Datei einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The log of other records lies there.</source>
+        <translation>Dort liegt das Schreibprotokoll anderer Daten.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to records that were moved away. Move it beside them, or choose another place with --db.</source>
+        <translation>%1 gehört zu Daten, die verschoben wurden. Legen Sie die Datei neben diese, oder wählen Sie mit --db einen anderen Ort.</translation>
     </message>
 </context>
 <context>
