@@ -482,7 +482,7 @@
     <name>cusp::ui::AtWork</name>
     <message>
         <source>Leave before the work has ended?</source>
-        <translation>Gehen, bevor die Arbeit beendet ist?</translation>
+        <translation>Die Seite verlassen, bevor die Arbeit beendet ist?</translation>
     </message>
     <message>
         <source>How it ended is then shown nowhere.</source>
@@ -600,7 +600,7 @@
     </message>
     <message>
         <source>cannot be played</source>
-        <translation>nicht spielbar</translation>
+        <translation>nicht ausführbar</translation>
     </message>
     <message>
         <source>too coarse</source>
@@ -632,11 +632,11 @@
     </message>
     <message>
         <source>The exercise cannot be played as it stands (%1).</source>
-        <translation>So wie sie ist, lässt sich die Übung nicht spielen (%1).</translation>
+        <translation>So wie sie ist, lässt sich die Übung nicht ausführen (%1).</translation>
     </message>
     <message>
         <source>Look at its checks first.</source>
-        <translation>Sehen Sie zuerst nach ihren Prüfungen.</translation>
+        <translation>Sehen Sie sich zuerst ihre Kontrollen an.</translation>
     </message>
     <message>
         <source>Single attempts differ by chance: over %1 attempts of each operator, half the voxels change the mean score by %2 ± %3 points.</source>
@@ -648,7 +648,7 @@
     </message>
     <message>
         <source>Gums about the tooth</source>
-        <translation>Zahnfleisch um den Zahn</translation>
+        <translation>Gingiva um den Zahn</translation>
     </message>
     <message>
         <source>Jaw bone about the tooth</source>
@@ -783,7 +783,7 @@
     </message>
     <message>
         <source>Scripted operators drill the exercise once for each choice below, with that choice left out or halved. That takes minutes, between neighbouring teeth hours; you can go on working meanwhile.</source>
-        <translation>Automatische Operateure bohren die Übung zu jeder Wahl unten einmal, wobei diese wegbleibt oder halbiert wird. Das dauert Minuten, zwischen Nachbarzähnen Stunden; Sie können inzwischen weiterarbeiten.</translation>
+        <translation>Automatische Operateure präparieren die Übung zu jeder Wahl unten einmal, wobei diese wegbleibt oder halbiert wird. Das dauert Minuten, zwischen Nachbarzähnen Stunden; Sie können inzwischen weiterarbeiten.</translation>
     </message>
 </context>
 <context>
@@ -962,7 +962,7 @@
     </message>
     <message>
         <source>Level</source>
-        <translation>Stufe</translation>
+        <translation>Schwierigkeit</translation>
     </message>
     <message>
         <source>Expected time</source>
@@ -1026,7 +1026,7 @@
     </message>
     <message>
         <source>rounded line angles</source>
-        <translation>gerundete Kanten</translation>
+        <translation>gerundete Innenkanten</translation>
     </message>
     <message>
         <source>crowns</source>
@@ -1496,7 +1496,7 @@
     </message>
     <message>
         <source>Level</source>
-        <translation>Stufe</translation>
+        <translation>Schwierigkeit</translation>
     </message>
     <message>
         <source>Title, %1</source>
@@ -3903,7 +3903,7 @@
     <name>cusp::ui::Desktop</name>
     <message>
         <source>There is an administrator by now.</source>
-        <translation>Eine Verwaltung gibt es inzwischen.</translation>
+        <translation>Es gibt inzwischen eine Verwaltung.</translation>
     </message>
     <message>
         <source>Another window of Cusp made one. Sign in as that administrator.</source>
@@ -4673,7 +4673,7 @@
     </message>
     <message>
         <source>Level</source>
-        <translation>Stufe</translation>
+        <translation>Schwierigkeit</translation>
     </message>
     <message>
         <source>Expected time</source>
@@ -4800,7 +4800,7 @@
     </message>
     <message>
         <source>Checks</source>
-        <translation>Prüfungen</translation>
+        <translation>Kontrollen</translation>
     </message>
     <message>
         <source>Show</source>
@@ -4887,11 +4887,11 @@
     </message>
     <message>
         <source>Check fails</source>
-        <translation>Prüfung misslingt</translation>
+        <translation>Kontrolle misslingt</translation>
     </message>
     <message>
         <source>Checks passed</source>
-        <translation>Prüfungen bestanden</translation>
+        <translation>Kontrollen bestanden</translation>
     </message>
     <message>
         <source>Version %1 is published.</source>
@@ -4939,7 +4939,7 @@
     </message>
     <message>
         <source>Yours stands as it was.</source>
-        <translation>Ihrer steht, wie er war.</translation>
+        <translation>Ihrer ist unverändert.</translation>
     </message>
     <message>
         <source>This is the other window’s draft.</source>
@@ -4995,11 +4995,11 @@
     </message>
     <message>
         <source>Stop checking</source>
-        <translation>Prüfung abbrechen</translation>
+        <translation>Kontrolle abbrechen</translation>
     </message>
     <message>
         <source>Leave without the briefing?</source>
-        <translation>Ohne die Aufgabe gehen?</translation>
+        <translation>Den Editor ohne die Aufgabe verlassen?</translation>
     </message>
     <message>
         <source>The exercise keeps the briefing as it was. Under Texts stands why.</source>
@@ -5622,7 +5622,7 @@
     </message>
     <message>
         <source>Tests</source>
-        <translation>Prüfungen</translation>
+        <translation>Tests</translation>
     </message>
     <message>
         <source>Feel the force</source>
@@ -5646,11 +5646,11 @@
     </message>
     <message>
         <source>Measuring, direction %1 of 3. Keep your hand off.</source>
-        <translation>Richtung %1 von 3 wird gemessen. Hand weg.</translation>
+        <translation>Richtung %1 von 3 wird gemessen. Bitte nicht berühren.</translation>
     </message>
     <message>
         <source>Weighing, place %1 of %2. Keep your hand off.</source>
-        <translation>Ort %1 von %2 wird gewogen. Hand weg.</translation>
+        <translation>Der Griff wird gewogen, Ort %1 von %2. Bitte nicht berühren.</translation>
     </message>
     <message>
         <source>Hold the grip loosely</source>
@@ -5694,7 +5694,7 @@
     </message>
     <message>
         <source>No weight fits what was held. Stand it upright, keep hands off, and weigh again.</source>
-        <translation>Kein Gewicht passt zu dem, was gehalten wurde. Aufrecht hinstellen, Hände weg, noch einmal wiegen.</translation>
+        <translation>Kein Gewicht passt zu dem, was gehalten wurde. Stellen Sie das Gerät aufrecht hin, berühren Sie es nicht und wiegen Sie noch einmal.</translation>
     </message>
     <message>
         <source>The grip weighs %1. Nothing is kept of an emulated one.</source>
@@ -5800,7 +5800,7 @@
     <name>cusp::ui::HalfFilled</name>
     <message>
         <source>Leave without saving the form?</source>
-        <translation>Gehen, ohne das Formular zu speichern?</translation>
+        <translation>Die Seite verlassen, ohne das Formular zu speichern?</translation>
     </message>
     <message>
         <source>What was filled in and not saved is not kept.</source>
@@ -6224,7 +6224,7 @@
     </message>
     <message>
         <source>%1 does not go with the others. Surfaces go together, and slices of one CT. Choose any other file alone, and of a header with its data the header.</source>
-        <translation>%1 passt nicht zu den anderen. Zusammen gehen Oberflächen und die Schichten eines CT. Wählen Sie jede andere Datei allein, und von einem Kopf mit seinen Daten den Kopf.</translation>
+        <translation>%1 passt nicht zu den anderen. Zusammen gehen Oberflächen und die Schichten eines CT. Wählen Sie jede andere Datei allein, und von Kopf- und Datendatei die Kopfdatei.</translation>
     </message>
     <message>
         <source>Reading the file</source>
@@ -7248,8 +7248,8 @@
     <message numerus="yes">
         <source>%n open assignment(s) of this version can no longer be drilled.</source>
         <translation>
-            <numerusform>%n offene Zuweisung dieser Version kann nicht mehr gebohrt werden.</numerusform>
-            <numerusform>%n offene Zuweisungen dieser Version können nicht mehr gebohrt werden.</numerusform>
+            <numerusform>%n offene Zuweisung dieser Version kann nicht mehr bearbeitet werden.</numerusform>
+            <numerusform>%n offene Zuweisungen dieser Version können nicht mehr bearbeitet werden.</numerusform>
         </translation>
     </message>
     <message>
@@ -7571,7 +7571,7 @@
     </message>
     <message>
         <source>at the place of the chosen criterion</source>
-        <translation>am Ort des gewählten Kriteriums</translation>
+        <translation>an der Stelle des gewählten Kriteriums</translation>
     </message>
     <message>
         <source>Add comment</source>
@@ -9120,7 +9120,7 @@
     </message>
     <message>
         <source>Students then drill this version. Earlier results keep the version they were made with.</source>
-        <translation>Studierende bohren dann diese Version. Frühere Ergebnisse behalten die Version, mit der sie entstanden.</translation>
+        <translation>Studierende präparieren dann diese Version. Frühere Ergebnisse behalten die Version, mit der sie entstanden.</translation>
     </message>
     <message>
         <source>Another window has published version %1.</source>
@@ -9128,7 +9128,7 @@
     </message>
     <message>
         <source>Students then drill yours. Version %1 stays in the records.</source>
-        <translation>Studierende bohren dann Ihre. Version %1 bleibt in den Aufzeichnungen.</translation>
+        <translation>Studierende präparieren dann Ihre. Version %1 bleibt in den Aufzeichnungen.</translation>
     </message>
     <message>
         <source>Changed since version %1</source>
@@ -9197,7 +9197,7 @@
     </message>
     <message>
         <source>Nobody has drilled it as it is now. Students would be the first.</source>
-        <translation>In dieser Fassung hat sie noch niemand gebohrt. Studierende wären die Ersten.</translation>
+        <translation>In dieser Fassung hat sie noch niemand präpariert. Studierende wären die Ersten.</translation>
     </message>
     <message>
         <source>Publish untried</source>
@@ -9753,7 +9753,7 @@
     </message>
     <message>
         <source>Show the place</source>
-        <translation>Ort zeigen</translation>
+        <translation>Stelle zeigen</translation>
     </message>
     <message>
         <source>The appeal pack is saved.</source>
@@ -9781,7 +9781,7 @@
     </message>
     <message>
         <source>Leave without the comment?</source>
-        <translation>Ohne den Kommentar gehen?</translation>
+        <translation>Die Seite ohne den Kommentar verlassen?</translation>
     </message>
     <message>
         <source>Leave</source>
@@ -11692,7 +11692,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>The record is not there.</source>
-        <translation>Der Eintrag ist nicht da.</translation>
+        <translation>Diesen Eintrag gibt es nicht.</translation>
     </message>
     <message>
         <source>%1 was not found. Nothing was changed.</source>
@@ -11948,7 +11948,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Its head is wrong at %1.</source>
-        <translation>Ihr Kopf ist bei %1 falsch.</translation>
+        <translation>Ihre Kopfdaten sind bei %1 fehlerhaft.</translation>
     </message>
     <message>
         <source>It uses %1, which is not read here.</source>
@@ -12072,7 +12072,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>This exercise cannot be played.</source>
-        <translation>Diese Übung kann nicht gespielt werden.</translation>
+        <translation>Diese Übung kann nicht ausgeführt werden.</translation>
     </message>
     <message>
         <source>This exercise does not admit this device.</source>
@@ -12651,7 +12651,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>The attempt could not be played.</source>
-        <translation>Der Versuch konnte nicht gespielt werden.</translation>
+        <translation>Der Versuch konnte nicht ausgeführt werden.</translation>
     </message>
     <message>
         <source>Over-cut within tolerance, floor</source>
@@ -12763,11 +12763,11 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Removed of what is protected</source>
-        <translation>Vom Geschützten abgetragen</translation>
+        <translation>Von geschützten Strukturen abgetragen</translation>
     </message>
     <message>
         <source>Protected part damaged</source>
-        <translation>Geschütztes verletzt</translation>
+        <translation>Geschützte Struktur verletzt</translation>
     </message>
     <message>
         <source>Something protected was damaged</source>
@@ -12779,7 +12779,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Unsupported enamel</source>
-        <translation>Nicht unterstützter Schmelz</translation>
+        <translation>Nicht dentingestützter Schmelz</translation>
     </message>
     <message>
         <source>Let every wall end on dentine: take away enamel that has none beneath it.</source>
@@ -12811,7 +12811,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>%1 names no level of an exercise: %2.</source>
-        <translation>%1 nennt keine Stufe einer Übung: %2.</translation>
+        <translation>%1 nennt keinen Schwierigkeitsgrad einer Übung: %2.</translation>
     </message>
     <message>
         <source>This remark is withdrawn already.</source>
@@ -12991,7 +12991,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>The checks refuse it at %1. Nothing was changed.</source>
-        <translation>Die Prüfungen weisen sie zurück, bei %1. Nichts wurde verändert.</translation>
+        <translation>Die Kontrollen weisen sie zurück, bei %1. Nichts wurde verändert.</translation>
     </message>
     <message>
         <source>The replay comes to another state at tick %1.</source>
@@ -13960,7 +13960,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Level</source>
-        <translation>Stufe</translation>
+        <translation>Schwierigkeit</translation>
     </message>
     <message>
         <source>Expected time</source>
@@ -14150,7 +14150,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Gums</source>
-        <translation>Zahnfleisch</translation>
+        <translation>Gingiva</translation>
     </message>
     <message>
         <source>Bone</source>
@@ -14202,7 +14202,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>How caries spreads, and how gums and bone lie, is general knowledge, not verified.</source>
-        <translation>Wie Karies sich ausbreitet und wie Zahnfleisch und Knochen liegen, ist allgemeines Wissen, nicht geprüft.</translation>
+        <translation>Wie Karies sich ausbreitet und wie Gingiva und Knochen liegen, ist allgemeines Wissen, nicht geprüft.</translation>
     </message>
     <message>
         <source>Kind of carious lesion %1</source>
@@ -14356,7 +14356,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>This key was revoked: none of its files is read. Made known again, they are.</source>
-        <translation>Dieser Schlüssel wurde widerrufen: Keine seiner Dateien wird eingelesen. Wieder bekannt gemacht, werden sie es.</translation>
+        <translation>Dieser Schlüssel wurde widerrufen: Keine seiner Dateien wird eingelesen. Machen Sie ihn wieder bekannt, werden sie wieder eingelesen.</translation>
     </message>
     <message>
         <source>A former key: it signed older records of this station. Made known again, its files are read too.</source>
