@@ -35,7 +35,7 @@ enum class StorageError : std::uint8_t {
   // Rows
   duplicate,    // number, name or version exists already, or a file; detail "number": where = an account's number that a file brings;
                 // detail "log": where = name of a log whose records were moved away, where none are to be made;
-                // detail "finished": an earlier restore to where, or an earlier file for other stations
+                // detail "finished": an earlier restore to where, or an earlier file that leaves the station
   bad_value,    // outside the range that the table admits
   wrong_state,  // the session is not in a state that allows this (finished twice, a gap in ticks)
   bad_trace,    // bytes that are not a trace, key state or volume

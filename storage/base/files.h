@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "storage/base/error.h"
+#include "storage/base/hash.h"
 
 namespace cusp::storage {
 
@@ -39,9 +41,13 @@ Stored<void> rename_new(const std::filesystem::path& from, const std::filesystem
 
 /// Writes a file that only its owner can read; synced when it returns, never half written. duplicate if the file exists.
 Stored<void> write_private_file(const std::filesystem::path& file, const std::string& content);
-/// The same for a file that may exist: readers see the old content or the whole new one. One writer at a time.
+/// Writes a new file for the readers whom the umask admits; synced when it returns. duplicate if the file exists. A failure may leave a part.
+Stored<void> write_new_file(const std::filesystem::path& file, std::string_view content);
+/// Like write_private_file() for a file that may exist: readers see the old content or the whole new one. One writer at a time.
 Stored<void> replace_private_file(const std::filesystem::path& file, const std::string& content);
 /// nullopt if the file does not exist. A pipe or a device fails at once.
 Stored<std::optional<std::string>> read_private_file(const std::filesystem::path& file);
+/// blake2b_256 of a file of any size, read in blocks. A pipe or a device fails at once.
+Stored<Hash256> hash_of_file(const std::filesystem::path& file);
 
 }  // namespace cusp::storage

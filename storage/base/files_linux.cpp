@@ -10,7 +10,9 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <span>
 #include <sstream>
+#include <vector>
 
 #include "storage/base/files.h"
 
@@ -70,7 +72,7 @@ StorageFailure failure_now(const std::filesystem::path& file) {
 }
 
 /// Writes all of `content` and syncs it.
-bool write_through(int descriptor, const std::string& content) {
+bool write_through(int descriptor, std::string_view content) {
   for (std::size_t at = 0; at < content.size();) {
     const ssize_t wrote = write(descriptor, content.data() + at, content.size() - at);
     if (wrote > 0) at += static_cast<std::size_t>(wrote);
@@ -91,6 +93,18 @@ void sync_folder_of(const std::filesystem::path& file) {
   if (folder < 0) return;
   fsync(folder);
   close(folder);
+}
+
+/// For reading; -1 if there is no file, or something else than a file.
+int open_regular(const std::filesystem::path& file) {
+  // O_NONBLOCK does not wait for the other end of a pipe.
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) return -1;
+  struct stat about{};
+  if (fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode)) return descriptor;
+  close(descriptor);
+  errno = S_ISDIR(about.st_mode) ? EISDIR : EINVAL;
+  return -1;
 }
 
 /// For a drive that knows neither link() nor RENAME_NOREPLACE: asks, then renames. The folder's lock keeps other programs of Cusp out
@@ -225,6 +239,15 @@ Stored<void> write_private_file(const std::filesystem::path& file, const std::st
   return result;
 }
 
+Stored<void> write_new_file(const std::filesystem::path& file, std::string_view content) {
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) return std::unexpected(failure_now(file));
+  Stored<void> result;
+  if (!write_through(descriptor, content)) result = std::unexpected(failure_now(file));
+  close(descriptor);
+  return result;
+}
+
 Stored<void> replace_private_file(const std::filesystem::path& file, const std::string& content) {
   // A fixed name: if the process dies here, the next write replaces the leftover file.
   const std::string fresh = file.string() + ".new";
@@ -241,23 +264,32 @@ Stored<void> replace_private_file(const std::filesystem::path& file, const std::
 }
 
 Stored<std::optional<std::string>> read_private_file(const std::filesystem::path& file) {
-  // O_NONBLOCK does not wait for the other end of a pipe.
-  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  const int descriptor = open_regular(file);
   if (descriptor < 0) {
     if (errno == ENOENT) return std::optional<std::string>{};
     return std::unexpected(failure_now(file));
   }
-  struct stat about{};
-  const bool is_file = fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode);
-  if (!is_file) errno = S_ISDIR(about.st_mode) ? EISDIR : EINVAL;
   std::string content;
   std::array<char, 512> part{};
   ssize_t got = 0;
-  while (is_file && (got = read(descriptor, part.data(), part.size())) > 0 && content.size() < 65536) {
+  while ((got = read(descriptor, part.data(), part.size())) > 0 && content.size() < 65536) {
     content.append(part.data(), static_cast<std::size_t>(got));
   }
   Stored<std::optional<std::string>> result{content};
-  if (!is_file || got < 0) result = std::unexpected(failure_now(file));
+  if (got < 0) result = std::unexpected(failure_now(file));
+  close(descriptor);
+  return result;
+}
+
+Stored<Hash256> hash_of_file(const std::filesystem::path& file) {
+  const int descriptor = open_regular(file);
+  if (descriptor < 0) return std::unexpected(failure_now(file));
+  std::vector<std::byte> block(std::size_t{1} << 20);
+  Blake2b hash;
+  ssize_t got = 0;
+  while ((got = read(descriptor, block.data(), block.size())) > 0) hash.add_part(std::span(block).first(static_cast<std::size_t>(got)));
+  Stored<Hash256> result = hash.finish();
+  if (got < 0) result = std::unexpected(failure_now(file));
   close(descriptor);
   return result;
 }

@@ -47,6 +47,10 @@ Blake2b& Blake2b::add_uuid(const Uuid& id) {
   add_raw(id.bytes.data(), id.bytes.size());
   return *this;
 }
+Blake2b& Blake2b::add_part(std::span<const std::byte> bytes) {
+  add_raw(bytes.data(), bytes.size());
+  return *this;
+}
 Hash256 Blake2b::finish() {
   Hash256 hash{};
   crypto_generichash_final(of(state_), hash.data(), hash.size());

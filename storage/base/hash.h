@@ -30,6 +30,7 @@ class Blake2b {
   Blake2b& add_u64(std::uint64_t value);                 // 8 bytes, little-endian
   Blake2b& add_hash(const Hash256& hash);                // 32 bytes
   Blake2b& add_uuid(const Uuid& id);                     // 16 bytes
+  Blake2b& add_part(std::span<const std::byte> bytes);   // the bytes alone: of a content hash whose bytes come in parts
   Hash256 finish();
 
  private:

@@ -1,9 +1,8 @@
 #include <array>
 
-#include "storage/base/files.h"
 #include "storage/exchange/exchange.h"
+#include "storage/exchange/logged_files.h"
 #include "storage/exchange/session_copies.h"
-#include "storage/exchange/unnamed_copies.h"
 #include "storage/records/sealing.h"
 #include "storage/records/audit_writer.h"
 #include "storage/repositories/current_rights.h"
@@ -81,39 +80,6 @@ Stored<void> fill_exchange(StorageContext& context, Database& to, ExchangeKind k
   return transaction.commit();
 }
 
-/// Of the entry in the log.
-std::string entry_detail(const Hash256& key, ExchangeKind kind, const Hash256& description) {
-  return hex(key) + ' ' + std::string(key_of(kind)) + ' ' + hex(description);
-}
-
-/// Whether this station's log names the file as given out.
-bool is_logged(StorageContext& context, const std::filesystem::path& copy) {
-  auto file = Database::open(copy, {.access = DatabaseOptions::Access::read_only, .on_network_drive = admits_network_drive});
-  if (!file) return false;
-  const auto checked = read_description(*file);
-  if (!checked || checked->description.station != context.station) return false;
-  const auto entry = context.db.first(
-      "SELECT 1 FROM audit_log INDEXED BY audit_by_subject WHERE subject = ?1 AND action = 'exchange_given_out' "
-      "AND action <> 'session_sealed' AND detail = ?2",
-      [](Row) { return true; }, context.station, entry_detail(key_id(checked->public_key), checked->description.kind, checked->hash));
-  return entry && *entry;
-}
-
-/// A program may be killed after the entry and before the name: each such file in the folder of `file` gets its name now. Whether one of
-/// them is `file`.
-bool name_earlier_files(StorageContext& context, const std::filesystem::path& file) {
-  std::error_code ignored;
-  const std::filesystem::path real = std::filesystem::absolute(behind_links(file), ignored);
-  bool named = false;
-  for (const UnnamedCopy& one : unnamed_copies(real.parent_path())) {
-    // Of two programs that start at once, one names it.
-    if (!is_logged(context, one.made) || !rename_new(one.made, one.file)) continue;
-    std::filesystem::remove_all(one.made.parent_path(), ignored);
-    named = named || one.file == real;
-  }
-  return named;
-}
-
 /// Descriptions of the files that this key has signed so far, from the log.
 std::vector<Hash256> earlier_files(StorageContext& context, Transaction& transaction) {
   std::vector<Hash256> out;
@@ -142,7 +108,7 @@ Stored<void> sign_given_out(StorageContext& context, const Actor& actor, Databas
   if (auto added = transaction.ok() ? add_description(to, text) : Stored<void>{}; !added) transaction.refuse(std::move(added.error()));
   log_event(context, transaction,
             {.actor = actor.id, .action = "exchange_given_out", .subject = context.station,
-             .detail = entry_detail(context.key->id(), description.kind, description_hash(text))});
+             .detail = given_out_detail(context.key->id(), description.kind, description_hash(text))});
   return commit_sealed(context, transaction);
 }
 

@@ -1,6 +1,9 @@
 #include "storage/exchange/pack.h"
 
+#include "storage/base/files.h"
 #include "storage/exchange/json_read.h"
+#include "storage/exchange/logged_files.h"
+#include "storage/exchange/unnamed_copies.h"
 #include "storage/repositories/audit_log.h"
 #include "storage/repositories/current_rights.h"
 
@@ -52,9 +55,15 @@ Stored<SignedPack> sign_pack(StorageContext& context, const Actor& actor, Sessio
   return sign_text(*context.key, kPackLabel, pack_text(description));
 }
 
-Stored<void> log_pack(StorageContext& context, const Actor& actor, SessionId session) {
+Stored<void> give_out_pack(StorageContext& context, const Actor& actor, SessionId session, std::string_view bytes, const std::filesystem::path& file) {
   if (auto allowed = require(actor, Action::export_results); !allowed) return allowed;
-  return AuditLog(context).add_if_allowed({.actor = actor.id, .action = "packed", .subject = session.uuid, .detail = {}}, Action::export_results);
+  if (name_earlier_files(context, file)) return fail(StorageError::duplicate, file.filename().string(), "finished");
+  const std::string detail = packed_detail(blake2b_256(bytes));
+  return make_named(file, [&](const std::filesystem::path& copy, const NoteName& note) -> Stored<void> {
+    if (auto written = write_new_file(copy, bytes); !written) return written;
+    if (auto noted = note(); !noted) return noted;
+    return AuditLog(context).add_if_allowed({.actor = actor.id, .action = "packed", .subject = session.uuid, .detail = detail}, Action::export_results);
+  });
 }
 
 Stored<CheckedPack> check_pack(const SignedPack& pack) {

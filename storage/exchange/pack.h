@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,8 +29,11 @@ using SignedPack = SignedText;
 /// Signs. Needs export_results, as the records have it now. read_only without the station's key.
 Stored<SignedPack> sign_pack(StorageContext& context, const Actor& actor, SessionId session, std::vector<PackFile> files);
 
-/// Adds the entry "packed" to the audit log, between the pack's last byte and its name. Needs export_results, as the records have it now.
-Stored<void> log_pack(StorageContext& context, const Actor& actor, SessionId session);
+/// Writes the pack's bytes as a new file, and the entry "packed" with their hash, between the last byte and the name. Needs
+/// export_results, as the records have it now. duplicate if the file exists; a failure leaves no file. A file in the same folder whose
+/// program was killed between entry and name gets its name first; duplicate, detail "finished" (where = its name): it is this one, and
+/// holds what was packed then.
+Stored<void> give_out_pack(StorageContext& context, const Actor& actor, SessionId session, std::string_view bytes, const std::filesystem::path& file);
 
 enum class PackSigner : std::uint8_t {
   this_station,   // a key of this database's station

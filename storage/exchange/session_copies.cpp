@@ -1,11 +1,7 @@
 #include "storage/exchange/session_copies.h"
 
 #include <array>
-#include <string_view>
 
-#include "storage/base/files.h"
-#include "storage/base/left_folders.h"
-#include "storage/base/process.h"
 #include "storage/exchange/unnamed_copies.h"
 
 namespace cusp::storage {
@@ -65,49 +61,16 @@ Stored<void> fill_new(const fs::path& file, const fs::path& from, const OnCopy& 
   return finish(*to);
 }
 
-/// duplicate if something has the name, also a link that leads nowhere; else why no file can have it, as one that is too long.
-Stored<void> check_free(const fs::path& name) {
-  std::error_code error;
-  const fs::file_status there = fs::symlink_status(name, error);
-  if (there.type() == fs::file_type::not_found) return {};
-  if (there.type() == fs::file_type::none) return std::unexpected(failure_from(error, name));
-  return fail(StorageError::duplicate, name.string());
-}
-
-/// Until the copy has its name, its process holds a lock: nobody else gives it one meanwhile.
-Stored<void> make_and_name(const fs::path& copy, const fs::path& real, const fs::path& from, const OnCopy& fill, const OnCopy& finish) {
-  const ProcessMark mark(lock_of_copy(copy));
-  const auto last = [&](Database& to) -> Stored<void> {
-    if (auto free = check_free(real); !free) return free;
-    if (!finish) return {};
-    auto noted = note_name(copy, real, mark.text());
-    return noted ? finish(to) : noted;
-  };
-  auto done = fill_new(copy, from, fill, last);
-  return done ? rename_new(copy, real) : done;
-}
-
-/// People know the name that they gave.
-StorageFailure failure_of_copy(const StorageFailure& failure, const fs::path& file) {
-  return {failure.code, file.string(), failure.code == StorageError::duplicate ? std::string() : failure.detail};
-}
-
 }  // namespace
 
 Stored<void> make_copy(const fs::path& file, const fs::path& from, const OnCopy& fill, const OnCopy& finish) {
-  std::error_code error;
-  const fs::path real = fs::absolute(behind_links(file), error), parent = real.parent_path();
-  if (auto free = check_free(real); !free) return std::unexpected(failure_of_copy(free.error(), file));
-  if (!fs::is_directory(parent, error)) return fail(StorageError::not_found, parent.string(), "folder");
-  remove_left_folders(parent, kCopying, [](std::string_view name) { return name.starts_with(kCopied); });
-  const fs::path folder = parent / (std::string(kCopying) + Uuid::v7().text());
-  if (auto made = make_private_folder(folder); !made) return std::unexpected(failure_of_copy(made.error(), file));
-  const auto done = make_and_name(folder / kCopied, real, from, fill, finish);
-  fs::remove_all(folder, error);
-  if (done) return done;
-  const std::string& where = done.error().where;
-  const bool of_copy = where == real.string() || where.starts_with(folder.string());
-  return std::unexpected(of_copy ? failure_of_copy(done.error(), file) : done.error());
+  return make_named(file, [&](const fs::path& copy, const NoteName& note) {
+    return fill_new(copy, from, fill, [&](Database& to) -> Stored<void> {
+      if (!finish) return {};
+      auto noted = note();
+      return noted ? finish(to) : noted;
+    });
+  });
 }
 
 void copy_session(Transaction& to, SessionId session) {

@@ -11,10 +11,9 @@ namespace cusp::storage {
 /// Work on a copy before it has its name.
 using OnCopy = std::function<Stored<void>(Database&)>;
 
-/// Makes `file`; while `fill` writes to it, `from` is attached as `source`. One file, without a log beside it; its owner alone may
-/// read it. `finish` finds it so, without `source`, and a note of its name beside it (unnamed_copies.h): what is left to fail after it is
-/// the name. It takes its name once it is whole: a failure or a crash leaves nothing of that name, and what a program that was killed left
-/// in the folder goes a day later. duplicate if the file exists; before `finish` is called, if it does then.
+/// Makes `file` as make_named() does; while `fill` writes to it, `from` is attached as `source`. One file, without a log beside it; its
+/// owner alone may read it. `finish` finds it so, without `source`, and a note of its name beside it: what is left to fail after it is the
+/// name. duplicate if the file exists; before `finish` is called, if it does then.
 Stored<void> make_copy(const std::filesystem::path& file, const std::filesystem::path& from, const OnCopy& fill, const OnCopy& finish = {});
 
 /// One session with its statements, and what they refer to. A row that is there already stays.

@@ -1,9 +1,9 @@
-/// Copies whose program was killed before they had their name: a note beside each holds it, and the mark of the process. Within storage
-/// only. Thread: any.
+/// Files that take their name once they are whole, and copies whose program was killed before that: a note beside each holds its name, and
+/// the mark of the process. Within storage only. Thread: any.
 #pragma once
 
 #include <filesystem>
-#include <string>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -13,13 +13,18 @@ namespace cusp::storage {
 
 /// The folder, beside the name, in which a copy is made: a UUID follows.
 inline constexpr std::string_view kCopying = ".cusp-copy-";
-/// The copy there; what belongs to it begins with its name.
+/// The copy there, a database or not; what belongs to it begins with its name.
 inline constexpr const char* kCopied = "copy.db";
 
-/// Locked while the process lives that makes the copy.
-std::filesystem::path lock_of_copy(const std::filesystem::path& copy);
-/// Notes the name that the copy is to take. `process`: ProcessMark::text().
-Stored<void> note_name(const std::filesystem::path& copy, const std::filesystem::path& file, const std::string& process);
+/// Notes the name that the copy is to take; called once the copy is whole, before the log has its entry. duplicate if something has taken
+/// the name meanwhile.
+using NoteName = std::function<Stored<void>()>;
+/// Makes the copy at a path in a folder of its own.
+using MakeCopy = std::function<Stored<void>(const std::filesystem::path& copy, const NoteName& note)>;
+
+/// Makes `file`, which takes its name once `make` has returned: a failure or a crash leaves nothing of that name, and what a program that
+/// was killed left in the folder goes a day later. duplicate if the file exists.
+Stored<void> make_named(const std::filesystem::path& file, const MakeCopy& make);
 
 struct UnnamedCopy {
   std::filesystem::path made{}, file{};  ///< where it lies; the name that it is to take

@@ -10,6 +10,7 @@ import os
 import sqlite3
 import sys
 import tarfile
+import uuid
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from desk import Desk, check, one_sentence  # noqa: E402
@@ -52,6 +53,24 @@ def pack(desk, database, session):
     with open(file, "rb") as f:
         check(f.read() == whole, "a pack that was there is written over")
     return file
+
+
+def finishes_a_killed_one(desk, database, session, file):
+    """As a program leaves it that is killed between the entry and the name: the pack and a note of its name, in a folder of their own."""
+    with open(file, "rb") as f:
+        whole = f.read()
+    before = packed(database)
+    left = desk.path(f".cusp-copy-{uuid.uuid4()}")
+    os.mkdir(left)
+    os.rename(file, os.path.join(left, "copy.db"))
+    with open(os.path.join(left, "copy.db.name"), "w", encoding="utf-8") as f:
+        f.write("another boot:1:1\n" + os.path.basename(file))
+    status, out, err = desk.run("appeal", database, session, file, "--as", "admin", **ADMIN)
+    one_sentence(err, "a pack whose program was killed")
+    check(status == 1 and "now finished" in err, f"a pack whose program was killed: {out}{err}")
+    with open(file, "rb") as f:
+        check(f.read() == whole, "the killed pack is not the file")
+    check(not os.path.exists(left) and packed(database) == before, "a copy or an entry more is left")
 
 
 def opens_elsewhere(desk, database, session, file):
@@ -145,6 +164,7 @@ def main():
         check(status == 0, f"play: {err}")
         session = out.strip()
         file = pack(desk, database, session)
+        finishes_a_killed_one(desk, database, session, file)
         opens_elsewhere(desk, database, session, file)
         shows_every_change(desk, file)
         refuses_what_is_no_pack(desk, file)

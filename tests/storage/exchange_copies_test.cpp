@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "storage/exchange/exchange_file.h"
+#include "storage/exchange/pack.h"
 #include "storage/exchange/session_copies.h"
 #include "storage/exchange/unnamed_copies.h"
 #include "tests/refused_calls.h"
@@ -198,6 +199,13 @@ TEST_F(GivingOutKilled, is_finished_by_the_next_call_for_another_name_which_give
   EXPECT_EQ(at_office(file).description.number(), 1u);
   EXPECT_EQ(at_office(other).description.number(), 2u);
   EXPECT_EQ(whole(*office), "");
+}
+
+TEST_F(GivingOutKilled, is_finished_by_the_next_appeal_pack_in_its_folder) {
+  if (!is_killed()) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  must(give_out_pack(station->context(), keeper, SessionId{Uuid::v7()}, "a pack", next_file()));
+  EXPECT_EQ(copies(), 0);
+  EXPECT_EQ(at_office(file).counts.sessions, 1u);
 }
 
 TEST_F(GivingOutKilled, takes_no_name_that_somebody_has_taken_since) {

@@ -1,12 +1,21 @@
 /// Appeal packs: the records of one attempt as a database of their own, and what the station signs about them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <thread>
 
+#include "storage/exchange/exchange.h"
 #include "storage/exchange/pack.h"
 #include "storage/exchange/session_extract.h"
+#include "storage/exchange/unnamed_copies.h"
 #include "storage/records/statement_rows.h"
+#include "tests/refused_calls.h"
+#include "tests/storage/killed.h"
 #include "tests/storage/sample.h"
 #include "tests/storage/statements_seen.h"
 
@@ -53,9 +62,19 @@ struct PackTest : ::testing::Test {
     options.database.access = DatabaseOptions::Access::read_only;
     return open(file(), options);
   }
-  std::string bytes() {
-    std::ifstream in(file(), std::ios::binary);
+  static std::string bytes_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
+  }
+  std::string bytes() { return bytes_of(file()); }
+  fs::path pack() { return folder / "case.cusppack"; }
+  Stored<void> give_out_as(const Actor& actor, std::string_view content) { return give_out_pack(store->context(), actor, session, content, pack()); }
+  /// Entries about packs, oldest first.
+  std::vector<AuditEntry> packed() {
+    std::vector<AuditEntry> out;
+    for (const AuditEntry& entry : must(log_about(store->context(), administrator, session)))
+      if (entry.action == "packed") out.push_back(entry);
+    return out;
   }
 };
 
@@ -130,7 +149,7 @@ TEST_F(PackTest, records_that_cannot_be_written_give_no_extract_for_they_sign_no
 TEST_F(PackTest, the_log_about_an_attempt_names_who_assigned_stated_and_packed_it) {
   hand_in();
   EXPECT_EQ(code_of(log_about(store->context(), lena.actor(), session)), StorageError::not_allowed);
-  must(log_pack(store->context(), administrator, session));
+  must(give_out_as(administrator, "a pack"));
   const auto entries = must(log_about(store->context(), administrator, session));
   const auto has = [&](std::string_view action) { return std::ranges::any_of(entries, [&](const AuditEntry& e) { return e.action == action; }); };
   for (const char* action : {"version_kept", "assigned", "session_sealed", "stated", "packed"}) EXPECT_TRUE(has(action)) << action;
@@ -184,13 +203,14 @@ TEST_F(PackTest, who_was_switched_off_at_another_window_since_signing_in_signs_n
   must(open(folder / "a.db")->accounts.disable(administrator, instructor.id));
   const std::int64_t newest = must(store->audit.list(administrator, 1)).at(0).number;
   EXPECT_EQ(code_of(sign_pack(store->context(), instructor, session, {})), StorageError::disabled);
-  EXPECT_EQ(code_of(log_pack(store->context(), instructor, session)), StorageError::disabled);
+  EXPECT_EQ(code_of(give_out_as(instructor, "a pack")), StorageError::disabled);
   EXPECT_EQ(must(store->audit.list(administrator, 1)).at(0).number, newest) << "and no entry says so";
   must(store->accounts.enable(administrator, instructor.id));
   must(sign_pack(store->context(), instructor, session, {}));
   must(open(folder / "a.db")->accounts.set_role(administrator, instructor.id, Role::student));
   EXPECT_EQ(code_of(sign_pack(store->context(), instructor, session, {})), StorageError::not_allowed);
-  EXPECT_EQ(code_of(log_pack(store->context(), instructor, session)), StorageError::not_allowed);
+  EXPECT_EQ(code_of(give_out_as(instructor, "a pack")), StorageError::not_allowed);
+  EXPECT_FALSE(fs::exists(pack()));
 }
 
 TEST_F(PackTest, a_signature_alone_enters_no_log_for_its_file_may_never_be_written) {
@@ -198,12 +218,93 @@ TEST_F(PackTest, a_signature_alone_enters_no_log_for_its_file_may_never_be_writt
   const std::int64_t newest = must(store->audit.list(administrator, 1)).at(0).number;
   must(sign_pack(store->context(), administrator, session, {}));
   EXPECT_EQ(must(store->audit.list(administrator, 1)).at(0).number, newest);
-  EXPECT_EQ(code_of(log_pack(store->context(), lena.actor(), session)), StorageError::not_allowed);
-  must(log_pack(store->context(), administrator, session));
-  const AuditEntry entry = must(store->audit.list(administrator, 1)).at(0);
-  EXPECT_EQ(entry.action, "packed");
-  EXPECT_EQ(entry.subject, session.uuid);
-  EXPECT_EQ(entry.actor, administrator.id);
+  EXPECT_EQ(code_of(give_out_as(lena.actor(), "a pack")), StorageError::not_allowed);
+  EXPECT_EQ(must(store->audit.list(administrator, 1)).at(0).number, newest);
+}
+
+TEST_F(PackTest, a_pack_is_a_new_file_that_the_log_names_by_its_hash) {
+  hand_in();
+  must(give_out_as(administrator, "a pack"));
+  EXPECT_EQ(bytes_of(pack()), "a pack");
+  ASSERT_EQ(packed().size(), 1u);
+  EXPECT_EQ(packed()[0].actor, administrator.id);
+  EXPECT_EQ(packed()[0].subject, session.uuid);
+  EXPECT_EQ(packed()[0].detail, hex(blake2b_256("a pack")));
+  std::ofstream(folder / "any other");
+  EXPECT_EQ(mode_of(pack()), mode_of(folder / "any other")) << "whoever receives it may read it";
+  const auto again = give_out_as(administrator, "a later pack");
+  ASSERT_EQ(code_of(again), StorageError::duplicate);
+  EXPECT_EQ(again.error().detail, "");
+  EXPECT_EQ(bytes_of(pack()), "a pack");
+  EXPECT_EQ(packed().size(), 1u);
+}
+
+TEST_F(PackTest, a_pack_that_the_disk_has_no_room_for_is_not_logged) {
+  hand_in();
+  Stored<void> done;
+  bool refused = false;
+  std::thread([&] {
+    refused = refuse_calls({{SYS_fsync, ENOSPC}});
+    if (refused) done = give_out_as(administrator, "a pack");
+  }).join();
+  if (!refused) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  ASSERT_EQ(code_of(done), StorageError::disk_full);
+  EXPECT_EQ(done.error().where, pack().string());
+  EXPECT_EQ(done.error().detail, std::strerror(ENOSPC));
+  EXPECT_FALSE(fs::exists(pack()));
+  EXPECT_TRUE(packed().empty());
+}
+
+/// A program that is killed after it has logged a pack and before the file has its name.
+struct PackingKilled : PackTest {
+  /// False where the kernel admits no filter.
+  bool is_killed() {
+    hand_in();
+    store.reset();
+    const Killed killed = kill_after(2, 0, [&](const std::function<bool()>& step) {
+      store = open(folder / "a.db");
+      refuse_calls(links_refused(kKills));
+      static_cast<void>(give_out_as(administrator, "the killed pack"));
+      static_cast<void>(step());
+    });
+    store = open(folder / "a.db");
+    return killed.by_signal && killed.steps == 0;
+  }
+  /// Folders in which a file is made.
+  std::vector<fs::path> copies() {
+    std::vector<fs::path> out;
+    for (const fs::directory_entry& entry : fs::directory_iterator(pack().parent_path()))
+      if (entry.path().filename().string().starts_with(kCopying)) out.push_back(entry.path());
+    return out;
+  }
+};
+
+TEST_F(PackingKilled, is_finished_by_the_next_pack_of_that_name_which_names_that) {
+  if (!is_killed()) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  ASSERT_FALSE(fs::exists(pack()));
+  ASSERT_EQ(packed().size(), 1u);
+  const auto again = give_out_as(administrator, "a later pack");
+  ASSERT_EQ(code_of(again), StorageError::duplicate);
+  EXPECT_EQ(again.error().detail, "finished");
+  EXPECT_EQ(again.error().where, "case.cusppack");
+  EXPECT_EQ(bytes_of(pack()), "the killed pack");
+  EXPECT_EQ(packed().size(), 1u) << "the log names each file once";
+  EXPECT_TRUE(copies().empty());
+}
+
+TEST_F(PackingKilled, is_finished_by_the_next_file_for_other_stations_in_its_folder) {
+  if (!is_killed()) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  must(give_out(store->context(), administrator, ExchangeKind::results, folder / "results"));
+  EXPECT_EQ(bytes_of(pack()), "the killed pack");
+  EXPECT_TRUE(copies().empty());
+}
+
+TEST_F(PackingKilled, is_named_by_nobody_once_its_bytes_were_changed) {
+  if (!is_killed()) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  ASSERT_EQ(copies().size(), 1u);
+  std::ofstream(copies()[0] / kCopied, std::ios::app) << "x";
+  must(give_out(store->context(), administrator, ExchangeKind::results, folder / "results"));
+  EXPECT_FALSE(fs::exists(pack()));
 }
 
 TEST_F(PackTest, texts_that_are_no_description_or_signature_are_refused) {

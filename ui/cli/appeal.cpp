@@ -1,8 +1,6 @@
 // cusp appeal DB SESSION FILE, cusp verify FILE [--db DB] [--replay]
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "ui/cli/account.h"
 #include "ui/cli/outputs.h"
@@ -10,7 +8,6 @@
 #include "ui/cli/verb.h"
 #include "ui/modules.h"
 #include "ui/report/appeal_pack.h"
-#include "ui/text/exchange_text.h"
 
 namespace cusp::ui {
 namespace {
@@ -22,18 +19,10 @@ struct AppealOptions {
   JsonOption json;
 };
 
-/// A pack of an earlier moment cannot be made again: its signature covers the audit log as it stood.
-std::optional<Message> refuse_existing_pack(const std::string& file) {
-  std::error_code unknown;
-  if (!std::filesystem::exists(file, unknown)) return std::nullopt;
-  return describe_exchange_failure({StorageError::duplicate, file}, QString::fromStdString(file));
-}
-
 int write_pack(const AppealOptions& o) {
   const auto id = SessionId::parse(o.session);
   if (!id) return wrong_usage(CliText::tr("%1 is not a session’s id.").arg(QString::fromStdString(o.session)));
   if (const auto no = refuse_outputs({o.file, o.json.file}, o.db)) return failed(*no);
-  if (const auto no = refuse_existing_pack(o.file)) return failed(*no);
   auto store = open_records(o.db);
   if (!store) return failed(store.error());
   auto account = sign_in(**store, o.account, WithoutAccounts::refuse);

@@ -6,7 +6,8 @@
 #include <QTemporaryDir>
 #include <algorithm>
 #include <array>
-#include <functional>
+#include <cerrno>
+#include <system_error>
 
 #include "scenarios/import/nrrd.h"
 #include "scenarios/library/tar.h"
@@ -14,6 +15,7 @@
 #include "storage/records/statement_rows.h"
 #include "ui/report/report_pdf.h"
 #include "ui/report/report_text.h"
+#include "ui/text/exchange_text.h"
 #include "ui/widgets/save_bytes.h"
 
 namespace cusp::ui {
@@ -46,8 +48,17 @@ Message no_pack(const fs::path& file) {
   return {PackText::tr("%1 is no appeal pack.").arg(QString::fromStdString(file.filename().string())),
           PackText::tr("It may have been cut off on its way. Ask for it once more.")};
 }
-Message cannot_write_pack(const QString& file, const QString& why) {
-  return {PackText::tr("%1 cannot be written: %2.").arg(file, why), PackText::tr("The attempt and its grade are kept.")};
+Message cannot_write_pack(const QString& file, const std::string& why) {
+  return {PackText::tr("%1 cannot be written: %2.").arg(file, QString::fromStdString(why)), PackText::tr("The attempt and its grade are kept.")};
+}
+
+/// Names the file and the system's reason where a failure means the file, not the records.
+Message describe_pack_failure(const StorageFailure& f, const fs::path& file) {
+  const QString shown = QString::fromStdString(file.string());
+  if (f.code == StorageError::duplicate) return describe_exchange_failure(f, shown);
+  std::error_code ignored;
+  if (f.detail == "folder") return cannot_write_pack(shown, std::generic_category().message(fs::exists(f.where, ignored) ? ENOTDIR : ENOENT));
+  return f.where == file.string() ? cannot_write_pack(shown, f.detail) : describe(f);
 }
 
 /// nullopt: unreadable, or longer than `most`. A device has no end, and its size is 0.
@@ -62,14 +73,10 @@ std::optional<std::string> bytes_of(const fs::path& path, std::size_t most) {
   return out;
 }
 
-Result<void, QString> write_bytes(const fs::path& path, std::string_view bytes, const std::function<bool()>& before_named = {}) {
-  return save_bytes(QString::fromStdString(path.string()), QByteArray::fromRawData(bytes.data(), static_cast<qsizetype>(bytes.size())),
-                    Readers::usual, before_named);
-}
-
 /// One of the pack's files.
 Result<void, Message> write_content(const fs::path& path, std::string_view bytes) {
-  if (auto written = write_bytes(path, bytes); !written) return std::unexpected(no_room(written.error()));
+  const auto written = save_bytes(QString::fromStdString(path.string()), QByteArray::fromRawData(bytes.data(), static_cast<qsizetype>(bytes.size())));
+  if (!written) return std::unexpected(no_room(written.error()));
   return {};
 }
 
@@ -173,6 +180,8 @@ Result<void, Message> read_records(OpenedPack& pack) {
 }  // namespace
 
 Result<void, Message> write_appeal_pack(Store& store, const Actor& actor, SessionId session, const fs::path& file) {
+  std::error_code unknown;
+  if (fs::exists(file, unknown)) return std::unexpected(describe_pack_failure({StorageError::duplicate, file.string(), {}}, file));
   const QTemporaryDir folder;
   if (!folder.isValid()) return std::unexpected(no_room(folder.errorString()));
   const fs::path in = folder.path().toStdString();
@@ -187,13 +196,8 @@ Result<void, Message> write_appeal_pack(Store& store, const Actor& actor, Sessio
   for (const Content& content : contents) entries.push_back({content.name, content.bytes});
   const std::string archive = write_tar(entries);
   if (archive.size() > kMaxPackBytes) return std::unexpected(Message{PackText::tr("The attempt is too long for an appeal pack."), {}});
-  Stored<void> logged;
-  const auto log = [&] { return (logged = log_pack(store.context(), actor, session)).has_value(); };
-  const auto written = write_bytes(file, archive, log);
-  if (!logged) return std::unexpected(describe(logged.error()));
-  if (!written) {
-    return std::unexpected(cannot_write_pack(QString::fromStdString(file.string()), written.error()));
-  }
+  const auto given_out = give_out_pack(store.context(), actor, session, archive, file);
+  if (!given_out) return std::unexpected(describe_pack_failure(given_out.error(), file));
   return {};
 }
 

@@ -28,8 +28,9 @@ namespace cusp::ui {
 inline constexpr std::string_view kPackSuffix = ".cusppack";
 inline constexpr std::size_t kMaxPackBytes = std::size_t{1} << 30;
 
-/// An assessment goes by the candidate number, any other attempt by the student's name. Replaces `file` whole, or leaves it.
-/// Needs export_results and a QGuiApplication.
+/// An assessment goes by the candidate number, any other attempt by the student's name. `file` is new: a pack of an earlier moment cannot be
+/// made again, for its signature covers the audit log as it stood. A failure leaves no file; one that was killed before it had its name is
+/// finished (storage/exchange/pack.h). Needs export_results and a QGuiApplication.
 Result<void, Message> write_appeal_pack(Store& store, const Actor& actor, SessionId session, const std::filesystem::path& file);
 
 /// A pack of any origin, unpacked. Its records stay in a temporary folder as long as it lives.

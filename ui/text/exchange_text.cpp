@@ -1,6 +1,5 @@
 #include "ui/text/exchange_text.h"
 
-
 #include "ui/text/text.h"
 #include "ui/widgets/format.h"
 

@@ -21,7 +21,7 @@ QString outcome_text(ReadOutcome outcome);
 /// What was new, what waits, and each account that was changed at both places, a sentence each.
 QStringList read_in_text(const ReadIn& read);
 
-/// Of giving out, looking into or reading in a file: names the file where storage means its own database.
+/// Of giving out, looking into or reading in a file, and of giving out an appeal pack: names the file where storage means its own database.
 Message describe_exchange_failure(const StorageFailure& failure, const QString& file);
 
 /// Of reading a station's key from a file.
