@@ -249,9 +249,10 @@ Stored<void> write_new_file(const std::filesystem::path& file, std::string_view 
 }
 
 Stored<void> replace_private_file(const std::filesystem::path& file, const std::string& content) {
-  // A fixed name: if the process dies here, the next write replaces the leftover file.
+  // A fixed name: what a process left that died here goes first. So does a pipe, which would wait for its other end.
   const std::string fresh = file.string() + ".new";
-  const int descriptor = open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, S_IRUSR | S_IWUSR);
+  unlink(fresh.c_str());
+  const int descriptor = open(fresh.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
   if (descriptor < 0) return std::unexpected(failure_now(file));
   const bool good = write_through(descriptor, content) && rename(fresh.c_str(), file.c_str()) == 0;
   Stored<void> result;

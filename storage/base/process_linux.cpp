@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -74,10 +75,12 @@ struct flock place_lock(off_t place, short kind) {
 
 /// Whether a process holds the lock on the byte; nullopt if the system gives no answer.
 std::optional<bool> held(const std::filesystem::path& lock_file, off_t place) {
-  const int descriptor = open(lock_file.c_str(), O_RDONLY | O_CLOEXEC);
+  // O_NONBLOCK does not wait for the other end of a pipe, which holds no lock of anybody.
+  const int descriptor = open(lock_file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) return std::nullopt;
+  struct stat about{};
   struct flock lock = place_lock(place, F_WRLCK);
-  const bool asked = fcntl(descriptor, F_OFD_GETLK, &lock) == 0;
+  const bool asked = fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode) && fcntl(descriptor, F_OFD_GETLK, &lock) == 0;
   close(descriptor);
   if (!asked) return std::nullopt;
   return lock.l_type != F_UNLCK;

@@ -103,6 +103,17 @@ bool has_left_log(const fs::path& file) {
   return !none && bytes > kHeader && !fs::exists(file, none);
 }
 
+/// SQLite opens what lies beside, a journal for reading: it would wait for the other end of a pipe.
+Stored<void> check_beside(const fs::path& file) {
+  for (const char* ending : {"-wal", "-shm", "-journal"}) {
+    const fs::path beside = file.string() + ending;
+    std::error_code none;
+    if (!fs::exists(beside, none) || fs::is_regular_file(beside, none)) continue;
+    return std::unexpected(failure_from(std::make_error_code(std::errc::invalid_argument), beside));
+  }
+  return {};
+}
+
 Stored<void> check_place(const fs::path& file, const DatabaseOptions& options) {
   std::error_code ignored;
   const bool existed = fs::exists(file, ignored);
@@ -110,6 +121,7 @@ Stored<void> check_place(const fs::path& file, const DatabaseOptions& options) {
   if (!existed && options.access != Access::create) return fail(StorageError::not_found, file.string());
   if (existed && !fs::is_regular_file(file, ignored)) return fail(StorageError::not_a_database, file.string());
   if (!existed && has_left_log(file)) return fail(StorageError::duplicate, file.filename().string() + "-wal", "log");
+  if (auto good = check_beside(file); !good) return good;
   const fs::path folder = folder_of(file);
   if (!fs::is_directory(folder, ignored)) return fail(StorageError::not_found, folder.string(), "folder");
   const auto& on_network = options.on_network_drive;

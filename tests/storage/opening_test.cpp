@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -114,6 +115,18 @@ TEST(Opening, files_that_are_not_a_database_are_refused_and_left_alone) {
   }
   fs::create_directory(folder / "folder");
   EXPECT_EQ(code_of(Database::open(folder / "folder")), StorageError::not_a_database);
+}
+
+TEST(Opening, waits_for_no_pipe_in_the_place_of_a_log_or_journal) {
+  const Folder folder;
+  must(Database::open(folder / "a.db"));
+  for (const char* ending : {"-wal", "-shm", "-journal"}) {
+    const std::string pipe = (folder / "a.db").string() + ending;
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    for (const Access access : {Access::existing, Access::read_only})
+      EXPECT_EQ(code_of(Database::open(folder / "a.db", {.access = access})), StorageError::io) << ending;
+    fs::remove(pipe);
+  }
 }
 
 TEST(Opening, the_database_of_another_program_is_refused_and_left_alone) {

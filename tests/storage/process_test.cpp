@@ -5,6 +5,7 @@
 #include <sched.h>
 #include <signal.h>
 #include <sys/mount.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -130,6 +131,8 @@ TEST(Processes, one_of_another_namespace_without_its_lock_file_is_not_taken_for_
   const std::string elsewhere = fields[0] + ":999999:1:1:" + fields[4];
   EXPECT_TRUE(process_runs(elsewhere, folder / "none.running"));
   EXPECT_TRUE(process_runs(fields[0] + ":999999:1:1:", folder / "a.db.running")) << "it held no lock";
+  ASSERT_EQ(::mkfifo((folder / "pipe.running").c_str(), 0600), 0);
+  EXPECT_TRUE(process_runs(elsewhere, folder / "pipe.running")) << "and nobody waits for its other end";
 }
 
 TEST(Processes, one_of_another_user_who_hides_it_runs_until_it_has_ended) {

@@ -1,5 +1,6 @@
 /// The counter beside the key, the seals of an old file, and what happens when either cannot be written.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <sstream>
@@ -64,6 +65,20 @@ TEST_F(RollbackTest, a_counter_that_cannot_be_written_fails_no_session_and_catch
   EXPECT_EQ(lagging.uncounted, 3u);  // started, finished, graded
   fs::remove(counter().string() + ".new");
   must(store->accounts.sign_in("20267314", "battery staple"));
+  EXPECT_FALSE(store->context().counter_failure);
+  EXPECT_EQ(counted(counter()), logged(*store));
+}
+
+TEST_F(RollbackTest, a_pipe_or_a_locked_file_in_the_place_of_the_next_counter_is_replaced_and_stops_no_write) {
+  const auto store = open(folder / "a.db");
+  const std::string next = counter().string() + ".new";
+  ASSERT_EQ(::mkfifo(next.c_str(), 0600), 0);
+  make_student(*store);
+  EXPECT_FALSE(store->context().counter_failure);
+  EXPECT_EQ(counted(counter()), logged(*store));
+  std::ofstream(next) << "left by a process that died";
+  fs::permissions(next, fs::perms::none);
+  make_student(*store, "20260002", "Omar Haddad");
   EXPECT_FALSE(store->context().counter_failure);
   EXPECT_EQ(counted(counter()), logged(*store));
 }
