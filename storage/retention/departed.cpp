@@ -1,6 +1,8 @@
 #include "storage/retention/departed.h"
 
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace cusp::storage {
 namespace {
@@ -8,12 +10,17 @@ namespace {
 constexpr std::int64_t kYear_us = 31'557'600'000'000;
 
 /// ?1: gone since. session_summaries.released is 0 while the result of an assessment is withheld.
-const std::string kSelectDeparted =
+constexpr std::string_view kSelectDeparted =
     "SELECT p.id, max(p.created_at, coalesce((SELECT max(started_at) FROM sessions s WHERE s.student = p.id), 0)) last, "
     "EXISTS (SELECT 1 FROM session_summaries m WHERE m.student = p.id AND (m.released = 0 OR m.state = 'running')) "
     "FROM people p WHERE p.role = 'student' AND p.guest = 0 AND p.number <> 'demo' "
-    "AND p.number <> " +
-    std::string(kErasedNumber) + " AND last <= ?1 ORDER BY last, p.id";
+    "AND last <= ?1 AND p.number <> ";
+
+std::string select_departed(std::string_view further) {
+  std::string sql(kSelectDeparted);
+  sql.append(kErasedNumber).append(further);
+  return sql;
+}
 
 struct Found {
   UserId id;
@@ -21,15 +28,22 @@ struct Found {
   bool waits = false;
 };
 
+Found found_in(Row row) { return {row.id<UserId>(0), row.integer(1), row.flag(2)}; }
+
+/// False if the student has begun an attempt since: erasing many takes minutes, and others work meanwhile.
+Stored<bool> is_away(StorageContext& context, const DepartedStudent& student) {
+  const auto found = context.db.first(select_departed(" AND p.id = ?2"), found_in, student.last_utc_us, student.account.id);
+  if (!found) return std::unexpected(found.error());
+  return *found && !(*found)->waits;
+}
+
 }  // namespace
 
 Stored<DepartedStudents> departed_students(StorageContext& context, const Actor& actor, int years) {
   if (auto allowed = require(actor, Action::manage_accounts); !allowed) return std::unexpected(allowed.error());
   if (years < 1 || years > kMostRetainedYears) return fail(StorageError::bad_value, "years");
   const Snapshot snapshot(context.db);
-  const auto found = context.db.all(kSelectDeparted, [](Row row) {
-    return Found{row.id<UserId>(0), row.integer(1), row.flag(2)};
-  }, context.clock() - years * kYear_us);
+  const auto found = context.db.all(select_departed(" ORDER BY last, p.id"), found_in, context.clock() - years * kYear_us);
   if (!found) return std::unexpected(found.error());
   auto doubt = clock_doubt(context);
   if (!doubt) return std::unexpected(doubt.error());
@@ -49,13 +63,17 @@ Stored<DepartedStudents> erase_departed(StorageContext& context, const Actor& ac
   if (!departed) return departed;
   if (departed->doubt && trust == ClockTrust::checked) return std::unexpected(*departed->doubt);
   Accounts accounts(context);
-  std::vector<DepartedStudent>& going = departed->erasable;
-  for (auto student = going.begin(); student != going.end(); ++student) {
-    auto done = accounts.erase(actor, student->account.id);
-    if (done) continue;
-    if (student == going.begin()) return std::unexpected(std::move(done.error()));
+  const std::vector<DepartedStudent> chosen = std::exchange(departed->erasable, {});
+  for (const DepartedStudent& student : chosen) {
+    const auto away = is_away(context, student);
+    if (away && !*away) continue;
+    auto done = away ? accounts.erase(actor, student.account.id) : std::unexpected(away.error());
+    if (done) {
+      departed->erasable.push_back(student);
+      continue;
+    }
+    if (departed->erasable.empty()) return std::unexpected(std::move(done.error()));
     departed->failed = std::move(done.error());
-    going.erase(student, going.end());
     break;
   }
   return departed;

@@ -26,7 +26,7 @@ struct DepartedStudents {
 /// No attempt for so many years of 365.25 days, 1 to kMostRetainedYears. The school says how many. Needs manage_accounts.
 Stored<DepartedStudents> departed_students(StorageContext& context, const Actor& actor, int years);
 
-/// Accounts::erase() of each who is erasable; returns who was erased. Fails if nobody was; a later failure leaves the others as they are.
+/// Accounts::erase() of each who is erasable, and has begun no attempt meanwhile; returns who was erased. Fails if nobody was; a later failure leaves the others as they are.
 /// Erases nobody while the clock is in doubt.
 Stored<DepartedStudents> erase_departed(StorageContext& context, const Actor& actor, int years, ClockTrust trust = ClockTrust::checked);
 

@@ -51,6 +51,21 @@ TEST_F(DepartedTest, are_erased_like_anybody_and_their_attempts_verify) {
   EXPECT_EQ(findings(), "");
 }
 
+TEST_F(DepartedTest, who_came_back_after_they_were_listed_stay) {
+  const Account back = enrolled("back", 3000);
+  enrolled("gone", 3000);
+  const auto other = open(folder / "a.db", quick(now));
+  int asked = 0;
+  // First for the list, then for the clock's doubt: by then the list is read.
+  store->context().clock = [&] {
+    if (++asked == 2) complete_session(*other, back, version);
+    return *now;
+  };
+  EXPECT_EQ(numbers(must(erase_departed(store->context(), admin, 3)).erasable), Numbers{"gone"});
+  EXPECT_TRUE(store->accounts.find_number("back"));
+  EXPECT_EQ(code_of(store->accounts.find_number("gone")), StorageError::not_found);
+}
+
 TEST_F(DepartedTest, whose_erasure_a_write_ends_are_reported_with_what_ended_it) {
   for (const char* number : {"a", "b", "c"}) enrolled(number, kThreeYears);
   must(store->database().run("CREATE UNIQUE INDEX one_erased ON people (iif(name = '–', '', number))"));  // refuses the second
