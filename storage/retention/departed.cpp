@@ -58,13 +58,17 @@ Stored<DepartedStudents> departed_students(StorageContext& context, const Actor&
   return out;
 }
 
-Stored<DepartedStudents> erase_departed(StorageContext& context, const Actor& actor, int years, ClockTrust trust) {
+Stored<DepartedStudents> erase_departed(StorageContext& context, const Actor& actor, int years, ClockTrust trust, const ErasureWatch& watch) {
   auto departed = departed_students(context, actor, years);
   if (!departed) return departed;
   if (departed->doubt && trust == ClockTrust::checked) return std::unexpected(*departed->doubt);
   Accounts accounts(context);
   const std::vector<DepartedStudent> chosen = std::exchange(departed->erasable, {});
   for (const DepartedStudent& student : chosen) {
+    if (watch && !watch()) {
+      departed->stopped = true;
+      break;
+    }
     const auto away = is_away(context, student);
     if (away && !*away) continue;
     auto done = away ? accounts.erase(actor, student.account.id) : std::unexpected(away.error());

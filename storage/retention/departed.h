@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -21,13 +22,18 @@ struct DepartedStudents {
   std::vector<DepartedStudent> waiting;   // they stay: an assessment of theirs is not released, or an attempt runs
   std::optional<StorageFailure> failed{};  // what ended the erasure before the last one, once others were erased
   std::optional<StorageFailure> doubt{};  // of the clock: they may have been away for less
+  bool stopped = false;                   // the watch ended the erasure before the last one
 };
+/// Asked before each erasure; false ends it.
+using ErasureWatch = std::function<bool()>;
 
 /// No attempt for so many years of 365.25 days, 1 to kMostRetainedYears. The school says how many. Needs manage_accounts.
 Stored<DepartedStudents> departed_students(StorageContext& context, const Actor& actor, int years);
 
-/// Accounts::erase() of each who is erasable, and has begun no attempt meanwhile; returns who was erased. Fails if nobody was; a later failure leaves the others as they are.
+/// Accounts::erase() of each who is erasable, and has begun no attempt meanwhile; returns who was erased. Fails if nobody was; a later
+/// failure leaves the others as they are.
 /// Erases nobody while the clock is in doubt.
-Stored<DepartedStudents> erase_departed(StorageContext& context, const Actor& actor, int years, ClockTrust trust = ClockTrust::checked);
+Stored<DepartedStudents> erase_departed(StorageContext& context, const Actor& actor, int years, ClockTrust trust = ClockTrust::checked,
+                                        const ErasureWatch& watch = {});
 
 }  // namespace cusp::storage

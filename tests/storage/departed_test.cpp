@@ -76,6 +76,16 @@ TEST_F(DepartedTest, whose_erasure_a_write_ends_are_reported_with_what_ended_it)
   EXPECT_FALSE(erase_departed(store->context(), admin, 3)) << "nobody is erased";
 }
 
+TEST_F(DepartedTest, who_are_erased_when_the_watch_stops_are_named) {
+  for (const char* number : {"a", "b", "c"}) enrolled(number, kThreeYears);
+  int asked = 0;
+  const DepartedStudents erased = must(erase_departed(store->context(), admin, 3, ClockTrust::checked, [&] { return ++asked < 3; }));
+  EXPECT_TRUE(erased.stopped);
+  ASSERT_EQ(erased.erasable.size(), 2u);
+  for (const DepartedStudent& one : erased.erasable) EXPECT_EQ(code_of(store->accounts.find_number(one.account.number)), StorageError::not_found);
+  EXPECT_EQ(must(departed_students(store->context(), admin, 3)).erasable.size(), 1u);
+}
+
 TEST_F(DepartedTest, wait_while_an_assessment_of_theirs_is_not_released) {
   student = enrolled("sat", 3000);
   const SessionId sat = assessment(kThreeYears);

@@ -5,6 +5,7 @@
 #include "storage/base/clock.h"
 #include "storage/retention/departed.h"
 #include "ui/cli/account.h"
+#include "ui/cli/interrupt.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/text.h"
 #include "ui/cli/verb.h"
@@ -44,16 +45,19 @@ int retain(const RetainOptions& o) {
   auto account = sign_in(**store, o.account, WithoutAccounts::refuse);
   if (!account) return failed(account.error());
   StorageContext& context = (*store)->context();
-  const auto departed =
-      o.dry_run ? departed_students(context, account->actor(), o.years) : erase_departed(context, account->actor(), o.years, o.clock.trust());
+  // A program that ended at Ctrl+C would name nobody whom it has erased.
+  catch_interrupt();
+  const auto departed = o.dry_run ? departed_students(context, account->actor(), o.years)
+                                  : erase_departed(context, account->actor(), o.years, o.clock.trust(), [] { return !interrupted(); });
   if (!departed) return failed_by_age(departed.error());
   if (departed->doubt && !o.clock.is_right) return failed_by_age(*departed->doubt);
   const nlohmann::ordered_json json = {
-      {"years", o.years}, {"dry_run", o.dry_run}, {"erased", json_of(departed->erasable)}, {"waiting", json_of(departed->waiting)}};
+      {"years", o.years}, {"dry_run", o.dry_run}, {"erased", json_of(departed->erasable)}, {"waiting", json_of(departed->waiting)}, {"stopped", departed->stopped}};
   const bool written = o.json.write(json);
   // Also if the file cannot be written: nothing else names who is erased.
   if (!o.json.on_stdout()) print_departed(*departed, o);
   if (departed->failed) return failed(describe(*departed->failed));
+  if (departed->stopped) return failed(CliText::tr("Stopped before the last student. Those who are named are erased."));
   return written ? kDone : kFailed;
 }
 
