@@ -225,6 +225,8 @@ Stored<void> thin_backups(const fs::path& into, const Uuid& station, std::size_t
     if (is_abandoned(it->path())) abandoned.push_back(it->path());
   auto all = backups_in(into, station);
   if (!all) return std::unexpected(all.error());
+  // Removing would begin with the description behind the link.
+  std::erase_if(*all, [&](const Backup& one) { return fs::is_symlink(one.folder, ignored); });
   std::ranges::stable_partition(*all, [&](const Backup& one) { return one.made_utc_us <= now_utc_us; });
   std::vector<fs::path> going = std::move(abandoned);
   for (std::size_t i = keep; i < all->size(); ++i) going.push_back((*all)[i].folder);

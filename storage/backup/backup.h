@@ -36,8 +36,8 @@ Stored<std::vector<Backup>> backups_in(const std::filesystem::path& into, const 
 /// not_found unless the folder holds a whole backup.
 Stored<Backup> read_backup(const std::filesystem::path& folder);
 /// Removes all of this station but the newest `keep` ones, and what a backup that was cut off left more than a day ago: it holds a
-/// secret key. Those that a wrong clock dated after `now_utc_us` count as the oldest. One that cannot be removed stops no other, and
-/// what is left of it is no backup; the failure names the first.
+/// secret key. Those that a wrong clock dated after `now_utc_us` count as the oldest; what a link leads to stays, and does not count. One
+/// that cannot be removed stops no other, and what is left of it is no backup; the failure names the first.
 Stored<void> thin_backups(const std::filesystem::path& into, const Uuid& station, std::size_t keep, std::int64_t now_utc_us);
 
 /// Work on the new database and what lies beside it, before they get their names. It closes what it opens.
