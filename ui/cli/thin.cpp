@@ -53,14 +53,15 @@ int thin(const ThinOptions& o) {
                                   [](std::size_t, std::size_t) { return !interrupted(); });
   if (!report) return failed_by_age(report.error());
   if (report->doubt && !o.clock.is_right) return failed_by_age(*report->doubt);
-  if (!o.json.write(json_of(o, *report))) return kFailed;
+  const bool written = o.json.write(json_of(o, *report));
+  // Also if the file cannot be written: nothing else reports what went.
   if (!o.json.on_stdout()) {
     print_line(plain(thinned_text(*report, mode)));
     if (const QString kept = kept_text(report->kept); !kept.isEmpty()) print_line(plain(kept));
   }
   if (report->failed) return failed(describe(*report->failed));
   if (report->stopped) return failed(CliText::tr("Stopped before the last recording. Every recording is whole or thinned."));
-  if (report->broken.empty()) return kDone;
+  if (report->broken.empty()) return written ? kDone : kFailed;
   const ChainFinding& first = report->broken.front();
   return failed(CliText::tr("%n attempt(s) cannot be verified and stayed as they are, %1 first: %2", nullptr, static_cast<int>(report->broken.size()))
                     .arg(QString::fromStdString(first.owner.text()), finding_text(first)));
