@@ -73,10 +73,16 @@ Stored<void> make_copy(const fs::path& file, const fs::path& from, const OnCopy&
   });
 }
 
-void copy_session(Transaction& to, SessionId session) {
+bool copy_session(Transaction& to, SessionId session) {
+  const auto runs = to.first(
+      "SELECT 1 FROM source.session_events WHERE session = ?1 AND row = (SELECT max(row) FROM source.session_events WHERE session = ?1) "
+      "AND kind IN ('started', 'resumed')",
+      [](Row) { return true; }, session);
+  if (runs) return false;
   for (const char* copy : kCopies) to.run(copy, session);
   const auto header = to.first("SELECT header FROM source.sessions WHERE id = ?1", [](Row row) { return hash_from_hex(row.text(0)); }, session);
   if (header && *header) to.run("INSERT OR IGNORE INTO blobs SELECT * FROM source.blobs WHERE hash = ?1", **header);
+  return true;
 }
 
 }  // namespace cusp::storage

@@ -16,7 +16,8 @@ using OnCopy = std::function<Stored<void>(Database&)>;
 /// name. duplicate if the file exists; before `finish` is called, if it does then.
 Stored<void> make_copy(const std::filesystem::path& file, const std::filesystem::path& from, const OnCopy& fill, const OnCopy& finish = {});
 
-/// One session with its statements, and what they refer to. A row that is there already stays.
-void copy_session(Transaction& to, SessionId session);
+/// One session with its statements, and what they refer to. A row that is there already stays. False while it runs, and nothing is
+/// copied: somebody may have taken it up again since it was chosen.
+[[nodiscard]] bool copy_session(Transaction& to, SessionId session);
 
 }  // namespace cusp::storage

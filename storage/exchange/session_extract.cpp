@@ -18,7 +18,7 @@ void hide_name(Transaction& transaction, const Session& session) {
 Stored<void> copy_rows(Database& to, const Session& session, StudentNamed named) {
   Transaction transaction(to);
   transaction.run("INSERT INTO station SELECT * FROM source.station");
-  copy_session(transaction, session.id);
+  if (!copy_session(transaction, session.id)) transaction.refuse({StorageError::wrong_state, "session"});
   if (named == StudentNamed::by_candidate_number) hide_name(transaction, session);
   return transaction.commit();
 }

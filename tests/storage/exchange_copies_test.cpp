@@ -7,6 +7,7 @@
 #include <csignal>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "storage/exchange/unnamed_copies.h"
 #include "tests/refused_calls.h"
 #include "tests/storage/killed.h"
+#include "tests/storage/statements_seen.h"
 #include "tests/storage/two_stations.h"
 
 namespace cusp::test {
@@ -145,6 +147,29 @@ TEST_F(ExchangeCopies, giving_out_takes_away_what_a_killed_program_left_a_day_ag
   const auto copies = std::count_if(fs::directory_iterator(next_file().parent_path()), fs::directory_iterator(),
                                     [](const fs::directory_entry& entry) { return entry.path().filename().string().starts_with(".cusp-copy-"); });
   EXPECT_EQ(copies, 2) << "its own folder is gone";
+}
+
+TEST_F(ExchangeCopies, an_attempt_that_is_taken_up_again_meanwhile_goes_out_with_the_next_file) {
+  trust_each_other();
+  const Account omar = make_student(*station, "2", "Omar");
+  const SessionId session = must(station->sessions.start(omar.actor(), new_session(omar, keep(*station)))).id;
+  must(station->traces.append(session, second_from(1)));
+  must(station->sessions.interrupt(session, "process_gone"));
+  const auto beside = open(folder / "station.db");
+  const StatementsSeen seen;
+  station = open(folder / "station.db");
+  bool listed = false;
+  std::optional<Stored<void>> resumed;
+  StatementsSeen::at_each([&](std::string_view sql) {
+    if (listed && !resumed) resumed = beside->sessions.resume(session, "student");
+    listed = listed || sql.starts_with("SELECT m.session FROM session_summaries m JOIN sessions s");
+  });
+  const fs::path file = results();
+  ASSERT_TRUE(resumed) << "between the list and the copy";
+  must(*resumed);
+  EXPECT_EQ(at_office(file).counts.sessions, 0u);
+  must(beside->sessions.interrupt(session, "process_gone"));
+  EXPECT_EQ(at_office(results()).counts.sessions, 1u);
 }
 
 /// A program that is killed after it has logged a file and before the file has its name.

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <optional>
 #include <thread>
 
 #include "storage/exchange/exchange.h"
@@ -133,6 +134,21 @@ TEST_F(PackTest, an_extract_needs_the_right_an_ended_session_and_a_new_file) {
   const std::string before = bytes();
   EXPECT_EQ(code_of(extract_session(store->context(), administrator, session, StudentNamed::by_name, file())), StorageError::duplicate);
   EXPECT_EQ(bytes(), before);
+}
+
+TEST_F(PackTest, an_attempt_that_is_taken_up_again_meanwhile_gives_no_extract) {
+  must(store->sessions.interrupt(session, "process_gone"));
+  const StatementsSeen seen;
+  std::optional<Stored<void>> resumed;
+  StatementsSeen::at_each([&](std::string_view sql) {
+    if (sql.starts_with("ATTACH") && !resumed) resumed = store->sessions.resume(session, "student");
+  });
+  const auto extracted = extract_session(store->context(), administrator, session, StudentNamed::by_name, file());
+  ASSERT_TRUE(resumed) << "between the question and the copy";
+  must(*resumed);
+  ASSERT_EQ(code_of(extracted), StorageError::wrong_state);
+  EXPECT_EQ(extracted.error().where, "session");
+  EXPECT_FALSE(fs::exists(file()));
 }
 
 TEST_F(PackTest, records_that_cannot_be_written_give_no_extract_for_they_sign_none) {

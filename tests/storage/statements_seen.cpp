@@ -2,6 +2,8 @@
 
 #include <sqlite3.h>
 
+#include <utility>
+
 #include "tests/storage/sample.h"
 
 namespace cusp::test {
@@ -12,8 +14,16 @@ std::set<std::string>& texts_seen() {
   return texts;
 }
 
+std::function<void(std::string_view sql)>& call_at_each() {
+  static std::function<void(std::string_view sql)> call;
+  return call;
+}
+
 int note(unsigned, void*, void* statement, void*) {
-  if (const char* sql = sqlite3_sql(static_cast<sqlite3_stmt*>(statement))) texts_seen().insert(sql);
+  const char* sql = sqlite3_sql(static_cast<sqlite3_stmt*>(statement));
+  if (sql == nullptr) return 0;
+  texts_seen().insert(sql);
+  if (call_at_each()) call_at_each()(sql);
   return 0;
 }
 
@@ -28,7 +38,11 @@ StatementsSeen::StatementsSeen() {
   texts_seen().clear();
   sqlite3_auto_extension(entry());
 }
-StatementsSeen::~StatementsSeen() { sqlite3_cancel_auto_extension(entry()); }
+StatementsSeen::~StatementsSeen() {
+  sqlite3_cancel_auto_extension(entry());
+  call_at_each() = {};
+}
+void StatementsSeen::at_each(std::function<void(std::string_view sql)> call) { call_at_each() = std::move(call); }
 void StatementsSeen::forget() { texts_seen().clear(); }
 const std::set<std::string>& StatementsSeen::texts() { return texts_seen(); }
 
