@@ -19,14 +19,15 @@ fs::path note_of(const fs::path& copy) { return copy.string() + ".name"; }
 /// Locked while the process lives that makes the copy.
 fs::path lock_of(const fs::path& copy) { return copy.string() + ".making"; }
 
-bool is_file(const fs::path& file) {
+/// A second name may be that of the records: the close() after reading drops their locks.
+bool is_lone_file(const fs::path& file) {
   std::error_code error;
-  return fs::is_regular_file(fs::symlink_status(file, error));
+  return fs::is_regular_file(fs::symlink_status(file, error)) && fs::hard_link_count(file, error) <= 1;
 }
 
 /// nullopt unless the copy is to take the name of a file in `folder` that is not there.
 std::optional<UnnamedCopy> unnamed_copy(const fs::path& copy, const fs::path& folder) {
-  if (!is_file(copy) || !is_file(note_of(copy))) return std::nullopt;
+  if (!is_lone_file(copy) || !is_lone_file(note_of(copy))) return std::nullopt;
   const auto note = read_private_file(note_of(copy));
   if (!note || !*note) return std::nullopt;
   const auto line = (*note)->find('\n');

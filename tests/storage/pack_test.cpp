@@ -315,6 +315,17 @@ TEST_F(PackingKilled, is_finished_by_the_next_file_for_other_stations_in_its_fol
   EXPECT_TRUE(copies().empty());
 }
 
+TEST_F(PackingKilled, is_read_by_nobody_under_a_second_name_for_that_may_be_a_database) {
+  if (!is_killed()) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  ASSERT_EQ(copies().size(), 1u);
+  fs::create_hard_link(copies()[0] / kCopied, folder / "second");
+  must(give_out(store->context(), administrator, ExchangeKind::results, folder / "results"));
+  EXPECT_FALSE(fs::exists(pack()));
+  fs::remove(folder / "second");
+  EXPECT_EQ(code_of(give_out_as(administrator, "a later pack")), StorageError::duplicate);
+  EXPECT_EQ(bytes_of(pack()), "the killed pack");
+}
+
 TEST_F(PackingKilled, is_named_by_nobody_once_its_bytes_were_changed) {
   if (!is_killed()) GTEST_SKIP() << "the kernel admits no filter of system calls";
   ASSERT_EQ(copies().size(), 1u);
