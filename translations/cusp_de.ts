@@ -3332,6 +3332,10 @@
         <source>Its permissions or those of its folder refuse it. Nothing was changed.</source>
         <translation>Die Rechte der Datei oder ihres Ordners lassen es nicht zu. Es wurde nichts geändert.</translation>
     </message>
+    <message>
+        <source>Stopped before the last student. Those who are named are erased.</source>
+        <translation>Vor der letzten Person angehalten. Die genannten Personen sind gelöscht.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
