@@ -15,6 +15,7 @@
 #include <algorithm>
 
 #include "ui/editor/check_messages.h"
+#include "ui/editor/draft_folder.h"
 #include "ui/editor/editor_page_parts.h"
 #include "ui/editor/editor_records.h"
 #include "ui/editor/operator_job.h"
@@ -48,6 +49,7 @@ EditorPage::EditorPage(Store& store, const Actor& actor, const Ports& ports, Edi
       ports_(ports),
       kept_(start.kept),
       model_(new EditorModel(std::move(start), this)),
+      held_(hold_folder(model_->folder())),
       grower_(new SpecimenGrower(this)) {
   setAccessibleName(tr("Editor"));
   setProperty("kind", u"page"_qs);

@@ -128,6 +128,7 @@ class EditorPage : public QWidget {
   std::optional<std::string> kept_;  // the draft's JSON that this window read or wrote last
   QTimer autosave_, grow_soon_;
   EditorModel* model_;
+  std::shared_ptr<const void> held_;  // the folder of the volume: another window may discard the draft
   SpecimenGrower* grower_;
   OperatorJob* reference_job_ = nullptr;
   std::shared_ptr<const GrownSpecimen> grown_;

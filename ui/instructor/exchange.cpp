@@ -2,6 +2,7 @@
 
 #include "scenarios/format/write.h"
 #include "storage/base/files.h"
+#include "ui/editor/draft_folder.h"
 #include "ui/editor/editor_records.h"
 #include "ui/editor/texts_form.h"
 #include "ui/modules.h"
@@ -56,11 +57,12 @@ std::string volume_name(const ExerciseFile& file, const fs::path& folder) {
   return name.string();
 }
 
-Stored<void> write_volume(const ExerciseFile& file, const fs::path& folder, const std::string& name) {
+/// Makes the folder, and holds it.
+Stored<std::shared_ptr<const void>> folder_for_volume(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return fail(error_from_errno(error.value()), folder.string(), error.message());
-  return write_beside(folder / name, file.volume);
+  return hold_folder(folder);
 }
 
 }  // namespace
@@ -96,10 +98,14 @@ Stored<EditorStart> take_in(Store& store, const Actor& actor, const ExerciseFile
   }
   draft.key.clear();
   draft.version = 1;
+  std::shared_ptr<const void> held;  // until the draft stands: another window may discard one of this id
   if (!file.volume.empty()) {
     const fs::path folder = drafts_folder(database, draft.id);
+    auto made = folder_for_volume(folder);
+    if (!made) return std::unexpected(made.error());
+    held = std::move(*made);
     draft.specimen.volume = volume_name(file, folder);
-    if (auto written = write_volume(file, folder, draft.specimen.volume); !written) return std::unexpected(written.error());
+    if (auto written = write_beside(folder / draft.specimen.volume, file.volume); !written) return std::unexpected(written.error());
   }
   const std::string json = canonical_json(draft);
   const auto saved = store.scenarios.save_draft(actor, draft.id, json, std::nullopt);

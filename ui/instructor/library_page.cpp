@@ -15,6 +15,7 @@
 
 #include "scenarios/library/library.h"
 #include "scenarios/templates/templates.h"
+#include "ui/editor/draft_folder.h"
 #include "ui/editor/editor_records.h"
 #include "ui/editor/template_dialog.h"
 #include "ui/editor/texts_form.h"
@@ -41,10 +42,10 @@ constexpr const char* kBlankExercise = "channel-1";  // pattern of a new exercis
 constexpr int kFoldsBelow = 560;  // px at 100 % of height: the chosen exercise to its name and use
 constexpr int kGroupFrom = 900;   // px at 100 % of width
 
-/// Whether no instructor has a draft of it: their drafts share a folder.
-bool nobody_drafts(Store& store, ScenarioId id) {
+/// Whether an instructor has a draft of it, for their drafts share a folder; true if the records give no answer.
+bool has_draft(Store& store, ScenarioId id) {
   const auto drafts = store.database().first("SELECT count(*) FROM scenario_drafts WHERE scenario = ?1", [](Row row) { return row.integer(0); }, id);
-  return drafts && drafts->value_or(1) == 0;
+  return !drafts || drafts->value_or(1) != 0;
 }
 
 }  // namespace
@@ -272,9 +273,8 @@ void LibraryPage::discard_draft() {
                if (*done == DraftSave::changed_elsewhere) {
                  band_->show_message(Band::Kind::look, tr("The draft was changed in another window meanwhile."),
                                      tr("It was not discarded. The list shows it as it is now."));
-               } else if (!published && nobody_drafts(store_, id)) {
-                 std::error_code ignored;  // a volume that stays wastes disk space only
-                 std::filesystem::remove_all(drafts_folder(database_, id), ignored);
+               } else if (!published) {
+                 remove_unheld(drafts_folder(database_, id), [this, id] { return has_draft(store_, id); });
                }
                read();
                fit_buttons();

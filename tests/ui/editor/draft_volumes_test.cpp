@@ -1,0 +1,71 @@
+// The volume beside a draft: it stays while a window needs it, and is whole or not there.
+#include <gtest/gtest.h>
+
+#include <QPushButton>
+#include <QSignalSpy>
+#include <filesystem>
+
+#include "scenarios/blocks/blocks.h"
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "tests/ui/editor/editor_pages.h"
+#include "ui/instructor/import_page.h"
+#include "ui/instructor/library_page.h"
+#include "ui/widgets/table.h"
+
+namespace cusp::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct DraftVolumes : EditorPages {
+  EditorStart start;
+  fs::path volume;
+
+  void SetUp() override {
+    EditorPages::SetUp();
+    ports.ask = [](QWidget*, const Question&, const std::function<void(bool)>& then) { then(true); };
+    const auto made = exercise_on(dexterity_block(0.4), "Found tooth", records.file());
+    ASSERT_TRUE(made);
+    start = *made;
+    volume = fs::path(start.folder) / start.draft.specimen.volume;
+  }
+  std::size_t drafts() { return records.store().scenarios.drafts(instructor.actor())->size(); }
+};
+
+/// Discards the draft of the exercise as another program does that has the library open.
+void discard_elsewhere(const DeskRecords& records, const Account& instructor, const Ports& ports, ScenarioId id) {
+  auto store = Store::open(records.file());
+  ASSERT_TRUE(store);
+  LibraryPage library(**store, instructor.actor(), ports, records.file(), records.file().parent_path());
+  library.show();
+  for (int i = 0; i < library.model().rowCount(); ++i)
+    if (library.model().row(i).draft && library.model().row(i).draft->id == id) library.table()->choose_row(i);
+  library.discard_draft();
+}
+
+TEST_F(DraftVolumes, stay_with_the_window_that_edits_a_draft_which_another_one_discards) {
+  const auto window = open(start);
+  ASSERT_TRUE(window->keep_before_closing());
+  ASSERT_EQ(drafts(), 1u);
+  discard_elsewhere(records, instructor, ports, start.draft.id);
+  EXPECT_EQ(drafts(), 0u);
+  ASSERT_TRUE(fs::exists(volume)) << "the window edits it";
+  ASSERT_TRUE(window->model().set_width_mm(1.9));
+  ASSERT_TRUE(window->keep_before_closing());
+  const auto kept = records.store().scenarios.drafts(instructor.actor());
+  ASSERT_EQ(kept->size(), 1u);
+  EXPECT_EQ(*bytes_of(drafts_folder(records.file(), kept->front().scenario) / start.draft.specimen.volume), *bytes_of(volume));
+}
+
+TEST_F(DraftVolumes, go_with_a_draft_that_was_never_published_once_no_window_edits_it) {
+  auto window = open(start);
+  ASSERT_TRUE(window->keep_before_closing());
+  window.reset();
+  discard_elsewhere(records, instructor, ports, start.draft.id);
+  EXPECT_EQ(drafts(), 0u);
+  EXPECT_FALSE(fs::exists(start.folder));
+}
+
+}  // namespace
+}  // namespace cusp::test
