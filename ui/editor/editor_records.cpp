@@ -6,7 +6,9 @@
 
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
+#include "scenarios/import/whole_file.h"
 #include "scenarios/library/library.h"
+#include "storage/base/files.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
@@ -14,11 +16,39 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kPieceBytes = 1 << 16;
+
 bool hold_the_same(const fs::path& a, const fs::path& b) {
   std::error_code error;
   if (fs::file_size(a, error) != fs::file_size(b, error) || error) return false;
   std::ifstream one(a, std::ios::binary), other(b, std::ios::binary);
   return std::equal(std::istreambuf_iterator<char>(one), {}, std::istreambuf_iterator<char>(other), {});
+}
+
+/// Makes the folder of `to`. The copy is whole or not there: a half one would take a volume's name.
+Stored<void> copy_volume(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::create_directories(to.parent_path(), error);
+  if (error) return std::unexpected(failure_from(error, to.parent_path()));
+  std::ifstream in(from, std::ios::binary);
+  if (!in) return fail(StorageError::not_found, from.string());
+  WholeFile out(to);
+  // Piece by piece: << of a stream's buffer reports no failure once a part of it is written.
+  std::string piece(kPieceBytes, '\0');
+  while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())) || in.gcount() > 0) {
+    const auto written = out.write(std::string_view(piece).substr(0, static_cast<std::size_t>(in.gcount())));
+    if (!written) return std::unexpected(failure_from(written.error(), to));
+  }
+  if (in.bad()) return fail(StorageError::io, from.string());
+  if (const auto done = out.finish(); !done) return std::unexpected(failure_from(done.error(), to));
+  return {};
+}
+
+/// Removes the folder of a copy that failed: no draft names it, and each new copy makes one of its own.
+std::unexpected<StorageFailure> without_folder(const fs::path& folder, const StorageFailure& why) {
+  std::error_code ignored;
+  fs::remove_all(folder, ignored);
+  return std::unexpected(why);
 }
 
 /// Copies the volume of a published version beside the draft: all volumes that a draft names lie in one folder. Returns its name
@@ -35,9 +65,7 @@ Stored<std::string> unpack_volume(Store& store, const Exercise& exercise, const 
     if (hold_the_same(there, to / name)) return name;
     name = fs::path(volume).stem().string() + "-" + std::to_string(n) + fs::path(volume).extension().string();
   }
-  fs::create_directories(to, error);
-  if (!error) fs::copy_file(there, to / name, error);
-  if (error) return fail(StorageError::io, to.string(), error.message());
+  if (const auto copied = copy_volume(there, to / name); !copied) return std::unexpected(copied.error());
   return name;
 }
 
@@ -110,7 +138,7 @@ Stored<EditorStart> copy_exercise(Store& store, const Exercise& pattern, const L
   start.draft.title = title;
   const fs::path folder = drafts_folder(database, start.draft.id);
   auto volume = unpack_volume(store, pattern, folder, cache);
-  if (!volume) return std::unexpected(volume.error());
+  if (!volume) return without_folder(folder, volume.error());
   start.draft.specimen.volume = std::move(*volume);
   start.folder = folder.string();
   return start;
@@ -146,14 +174,11 @@ Stored<EditorStart> keep_as_copy(Store& store, const Actor& actor, const EditorM
   const fs::path from = model.folder(), to = from.parent_path() / start.draft.id.text();
   start.folder = to.string();
   if (const std::string& volume = start.draft.specimen.volume; start.draft.specimen.generator.empty()) {
-    std::error_code error;
-    fs::create_directories(to, error);
-    if (!error) fs::copy_file(from / volume, to / volume, error);
-    if (error) return fail(StorageError::io, to.string(), error.message());
+    if (const auto copied = copy_volume(from / volume, to / volume); !copied) return without_folder(to, copied.error());
   }
   start.kept = canonical_json(start.draft);
   const auto done = store.scenarios.save_draft(actor, start.draft.id, *start.kept, std::nullopt);
-  if (!done) return std::unexpected(done.error());
+  if (!done) return without_folder(to, done.error());
   return start;
 }
 

@@ -6,9 +6,11 @@
 #include <filesystem>
 
 #include "scenarios/blocks/blocks.h"
+#include "tests/file_limit.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "tests/ui/editor/editor_pages.h"
+#include "tests/ui/publish_draft.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/library_page.h"
 #include "ui/widgets/table.h"
@@ -17,6 +19,8 @@ namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kRoomBytes = 1000;  // less than the volume has
 
 struct DraftVolumes : EditorPages {
   EditorStart start;
@@ -65,6 +69,47 @@ TEST_F(DraftVolumes, go_with_a_draft_that_was_never_published_once_no_window_edi
   discard_elsewhere(records, instructor, ports, start.draft.id);
   EXPECT_EQ(drafts(), 0u);
   EXPECT_FALSE(fs::exists(start.folder));
+}
+
+TEST_F(DraftVolumes, that_the_disk_takes_half_of_into_a_copy_leave_nothing_behind) {
+  const EditorModel model(start);
+  ASSERT_GT(fs::file_size(volume), kRoomBytes);
+  const auto copy = [&] { return keep_as_copy(records.store(), instructor.actor(), model, {{"en", "Mine"}}); };
+  const auto refused = with_files_up_to(kRoomBytes, copy);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, StorageError::file_too_large);
+  EXPECT_EQ(fs::path(refused.error().where).filename(), volume.filename()) << "not the records, which come after it";
+  const fs::path all = fs::path(start.folder).parent_path();
+  EXPECT_EQ(std::distance(fs::directory_iterator(all), {}), 1) << "the folder of a copy is left";
+  EXPECT_EQ(drafts(), 0u);
+  const auto made = copy();
+  ASSERT_TRUE(made);
+  EXPECT_EQ(*bytes_of(fs::path(made->folder) / volume.filename()), *bytes_of(volume));
+}
+
+TEST_F(DraftVolumes, that_the_disk_takes_half_of_beside_a_draft_keep_their_name_for_the_next_time) {
+  EditorModel model(start);
+  model.set_facts(facts_of(dexterity_block(0.4)));
+  std::optional<std::string> kept;
+  ASSERT_TRUE(publish_draft(records.store(), instructor.actor(), model, kept));
+  const auto whole = *bytes_of(volume);
+  ASSERT_GT(whole.size(), kRoomBytes);
+  const auto list = load_exercises(records.store());
+  ASSERT_TRUE(list);
+  const Exercise* published = list->find(start.draft.id);
+  ASSERT_NE(published, nullptr);
+  const fs::path cache = folder.path().toStdString();
+  ASSERT_TRUE(exercise_folder(records.store(), *published, cache)) << "it lies in the cache: the limit is for the copy alone";
+  fs::remove_all(start.folder);
+  const auto open_it = [&] { return open_for_editing(records.store(), instructor.actor(), *published, records.file(), cache); };
+  const auto refused = with_files_up_to(kRoomBytes, open_it);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, StorageError::file_too_large);
+  EXPECT_TRUE(fs::is_empty(start.folder)) << "a half volume is left";
+  const auto opened = open_it();
+  ASSERT_TRUE(opened);
+  EXPECT_EQ(opened->draft.specimen.volume, start.draft.specimen.volume);
+  EXPECT_EQ(*bytes_of(volume), whole);
 }
 
 }  // namespace
