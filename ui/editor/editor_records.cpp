@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
+#include <span>
+#include <string>
 
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
@@ -22,7 +23,13 @@ bool hold_the_same(const fs::path& a, const fs::path& b) {
   std::error_code error;
   if (fs::file_size(a, error) != fs::file_size(b, error) || error) return false;
   std::ifstream one(a, std::ios::binary), other(b, std::ios::binary);
-  return std::equal(std::istreambuf_iterator<char>(one), {}, std::istreambuf_iterator<char>(other), {});
+  std::string of_one(kPieceBytes, '\0'), of_other(kPieceBytes, '\0');
+  do {
+    one.read(of_one.data(), static_cast<std::streamsize>(of_one.size()));
+    other.read(of_other.data(), static_cast<std::streamsize>(of_other.size()));
+    if (one.gcount() != other.gcount() || !std::equal(of_one.begin(), of_one.begin() + one.gcount(), of_other.begin())) return false;
+  } while (one && other);
+  return one.eof() && other.eof();
 }
 
 /// Makes the folder of `to`. The copy is whole or not there: a half one would take a volume's name.
@@ -83,10 +90,14 @@ Stored<bool> is_withdrawn(Store& store, const EditorModel& model) {
 Stored<std::vector<std::byte>> bytes_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) return fail(StorageError::not_found, file.string());
-  const std::vector<char> text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  // read() and not an iterator of the stream's buffer, which throws what the disk refuses.
+  std::vector<std::byte> out;
+  std::string piece(kPieceBytes, '\0');
+  while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())) || in.gcount() > 0) {
+    const auto read = std::as_bytes(std::span(piece).first(static_cast<std::size_t>(in.gcount())));
+    out.insert(out.end(), read.begin(), read.end());
+  }
   if (in.bad()) return fail(StorageError::io, file.string());
-  std::vector<std::byte> out(text.size());
-  std::ranges::transform(text, out.begin(), [](char c) { return static_cast<std::byte>(c); });
   return out;
 }
 

@@ -71,6 +71,18 @@ TEST_F(DraftVolumes, go_with_a_draft_that_was_never_published_once_no_window_edi
   EXPECT_FALSE(fs::exists(start.folder));
 }
 
+TEST_F(DraftVolumes, that_the_disk_does_not_give_are_reported_and_nothing_is_published) {
+  EditorModel model(start);
+  model.set_facts(facts_of(dexterity_block(0.4)));
+  ASSERT_TRUE(model.publishable());
+  fs::remove(volume);
+  fs::create_directory(volume);  // opens as a file does; each read of it fails
+  EXPECT_EQ(bytes_of(volume).error().code, StorageError::io);
+  std::optional<std::string> kept;
+  EXPECT_EQ(publish_draft(records.store(), instructor.actor(), model, kept).error().code, StorageError::io);
+  EXPECT_TRUE(records.store().scenarios.library()->empty());
+}
+
 TEST_F(DraftVolumes, that_the_disk_takes_half_of_into_a_copy_leave_nothing_behind) {
   const EditorModel model(start);
   ASSERT_GT(fs::file_size(volume), kRoomBytes);
