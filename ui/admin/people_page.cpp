@@ -25,6 +25,14 @@
 #include "ui/widgets/table.h"
 
 namespace cusp::ui {
+namespace {
+
+// px at 100 %
+constexpr int kBesideFrom = 760;  // the form stands beside the list, which then has names, numbers and roles whole
+constexpr int kFormWide = 320;    // beside the list
+constexpr int kListLeast = 214;   // above the form: a head and five rows
+
+}  // namespace
 
 PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWidget* parent)
     : QWidget(parent), store_(store), actor_(actor), ports_(ports), model_(new PeopleModel(this)) {
@@ -40,8 +48,8 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
   band_ = new Band;
   outer->addWidget(band_);
   outer->addWidget(make_filters());
-  auto* row = new QHBoxLayout;
-  row->setSpacing(px(16));
+  columns_ = new QHBoxLayout;
+  columns_->setSpacing(px(16));
   auto* card = new Card;
   card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
   table_ = new Table;
@@ -51,16 +59,15 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
   table_->sortByColumn(PeopleModel::kName, Qt::AscendingOrder);
   table_->set_stretch_column(PeopleModel::kName);
   card->body()->addWidget(table_);
-  row->addWidget(card, 1);
+  columns_->addWidget(card, 1);
   auto* aside = new QVBoxLayout;
   aside->setSpacing(px(16));
   aside->addWidget(make_form());
   departed_ = new DepartedCard(records_of(store), actor, ports);
-  departed_->setFixedWidth(px(320));
   aside->addWidget(departed_);
   aside->addStretch();
-  row->addLayout(aside);
-  outer->addLayout(row, 1);
+  columns_->addLayout(aside);
+  outer->addLayout(columns_, 1);
 
   connect(departed_, &DepartedCard::reported, band_, &Band::show_message);
   connect(departed_, &DepartedCard::erased, this, &PeoplePage::read);
@@ -80,6 +87,17 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
     begin_new();
   }
   setFocusProxy(table_);
+}
+
+void PeoplePage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const bool beside = width() >= px(kBesideFrom);
+  columns_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  for (QWidget* card : std::initializer_list<QWidget*>{form_, departed_}) {
+    card->setMinimumWidth(beside ? px(kFormWide) : 0);
+    card->setMaximumWidth(beside ? px(kFormWide) : QWIDGETSIZE_MAX);
+  }
+  table_->setMinimumHeight(beside ? 0 : px(kListLeast));
 }
 
 QString PeoplePage::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
@@ -110,7 +128,6 @@ void PeoplePage::filter() {
 
 QWidget* PeoplePage::make_form() {
   form_ = new Card(tr("Add a person"));
-  form_->setFixedWidth(px(320));
   form_->wrap_title();  // a name
   name_ = new QLineEdit;
   number_ = new QLineEdit;

@@ -1,5 +1,5 @@
-/// Accounts: list, add, change, switch off, new password or PIN, role. The form stands beside the list. Switching off and erasing
-/// ask a question, and so does another person while the form is half filled. Thread: GUI.
+/// Accounts: list, add, change, switch off, new password or PIN, role. The form stands beside the list, in a narrow page below
+/// it. Switching off and erasing ask a question, and so does another person while the form is half filled. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -15,6 +15,7 @@
 #include "ui/widgets/ports.h"
 #include "ui/widgets/rereads.h"
 
+class QBoxLayout;
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -46,6 +47,9 @@ class PeoplePage : public QWidget, public Rereads, public HalfFilled {
  Q_SIGNALS:
   void import_wanted();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QWidget* make_form();
   QWidget* make_filters();
@@ -70,6 +74,7 @@ class PeoplePage : public QWidget, public Rereads, public HalfFilled {
   Actor actor_;
   const Ports& ports_;
   PeopleModel* model_;
+  QBoxLayout* columns_ = nullptr;  // the list, and the form with what is below it
   Table* table_ = nullptr;
   Band* band_ = nullptr;
   QLineEdit* search_ = nullptr;
