@@ -137,7 +137,9 @@ Stored<AssignedAssessments> load_assessments(Store& store, const Actor& student,
       continue;
     }
     AssignedAssessment one{a, std::move(*exercise), static_cast<int>(attempts->size())};
-    one.adjustment = store.assignments.adjustment(a.id, student.id).value_or(Adjustment{});
+    const auto adjustment = store.assignments.adjustment(a.id, student.id);
+    if (!adjustment) return std::unexpected(adjustment.error());
+    one.adjustment = *adjustment;
     one.state = state_of(a, *attempts, *here, now_us, device);
     if (one.state == State::interrupted) one.resumable = can_continue(store, *attempts, *here, device_class);
     const bool every_released = !attempts->empty() && std::ranges::all_of(*attempts, &HistoryRow::released);

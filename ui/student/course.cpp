@@ -83,18 +83,22 @@ Stored<void> load_newest(Course& course, Store& store, const Actor& student, con
 }
 
 /// False before it opens, and where it or its version was withdrawn.
-bool is_assigned(Store& store, const Assignment& a, std::int64_t now_us) {
+Stored<bool> is_assigned(Store& store, const Assignment& a, std::int64_t now_us) {
   if (a.withdrawn || (a.opens_utc_us && now_us < *a.opens_utc_us)) return false;
   const auto withdrawn = store.scenarios.withdrawn(a.version);
-  return withdrawn && !*withdrawn;
+  if (!withdrawn) return std::unexpected(withdrawn.error());
+  return !*withdrawn;
 }
 
 /// Of each exercise the practice that is open, has attempts left and is due first, else the last one that is open, else the one that was
 /// over last. The student drills the version of an open one, also when a newer one is published. `assigned`: by due date.
-void add_assignments(Course& course, Store& store, UserId student, const std::vector<Assignment>& assigned) {
+Stored<void> add_assignments(Course& course, Store& store, UserId student, const std::vector<Assignment>& assigned) {
   const std::int64_t now_us = store.context().clock();
   for (const Assignment& a : assigned) {
-    if (a.kind != SessionKind::practice || !is_assigned(store, a, now_us)) continue;
+    if (a.kind != SessionKind::practice) continue;
+    const auto here = is_assigned(store, a, now_us);
+    if (!here) return std::unexpected(here.error());
+    if (!*here) continue;
     auto exercise = load_exercise(store, a.version);
     if (!exercise) continue;
     const auto row = std::ranges::find_if(course.rows, [&](const CourseRow& r) { return r.exercise.scenario.id == exercise->scenario.id; });
@@ -105,10 +109,13 @@ void add_assignments(Course& course, Store& store, UserId student, const std::ve
     row->assignment = a.id;
     row->due_utc_us = a.due_utc_us;
     if (row->over) continue;  // it limits nothing
+    const auto counted = store.assignments.attempts(a.id, student);
+    if (!counted) return std::unexpected(counted.error());
     row->attempts_allowed = a.attempts_allowed;
-    row->attempts_counted = store.assignments.attempts(a.id, student).value_or(0);
+    row->attempts_counted = *counted;
     row->device_classes = a.device_classes;
   }
+  return {};
 }
 
 }  // namespace
@@ -135,7 +142,7 @@ Stored<Course> load_course(Store& store, const Actor& student) {
     }
     course.rows.push_back(std::move(row));
   }
-  add_assignments(course, store, student.id, *assigned);
+  if (auto added = add_assignments(course, store, student.id, *assigned); !added) return std::unexpected(added.error());
   return course;
 }
 

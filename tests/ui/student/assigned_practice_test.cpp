@@ -60,6 +60,14 @@ TEST_F(AssignedPractice, ThatIsOverLimitsNothing) {
   EXPECT_EQ(text_of(CourseModel::kAttempts), QStringLiteral("1"));
 }
 
+TEST_F(AssignedPractice, WhoseAttemptsCannotBeCountedIsNotTakenForUntried) {
+  assign({.version = delivered(), .attempts_allowed = 1});
+  records.attempt(lena, "channel-1", 60, 100);
+  ASSERT_TRUE(load_course(records.store(), lena.actor()));
+  ASSERT_TRUE(records.store().database().run("DROP INDEX summaries_of_assignment"));  // no attempt is counted without it
+  EXPECT_FALSE(load_course(records.store(), lena.actor()));
+}
+
 TEST_F(AssignedPractice, ThatIsOverAndWasNeverTriedIsNoLongerDue) {
   assign({.version = delivered(), .due_utc_us = kMorning + kHourUs});
   EXPECT_TRUE(text_of(0, CourseModel::StandingRole).startsWith(QStringLiteral("Due ")));

@@ -54,6 +54,14 @@ TEST_F(UnreadAssessments, are_not_taken_for_none) {
   EXPECT_NE(shown->table(), nullptr) << "the exercises are there";
 }
 
+TEST_F(UnreadAssessments, are_those_whose_extra_time_is_not_known) {
+  EXPECT_EQ(message(), QString());
+  ASSERT_TRUE(records.store().database().run("DROP INDEX adjustments_of_assignment"));  // no extra time is found without it
+  const QString band = message();
+  EXPECT_TRUE(band.startsWith(QStringLiteral("Your assessments could not be read."))) << band.toStdString();
+  EXPECT_EQ(cards(), 0) << "a card without the extra time promises too little";
+}
+
 TEST_F(UnreadAssessments, of_a_newer_program_are_reported_until_their_time_is_over) {
   Store& store = records.store();
   const Scenario scenario = *load_builtin("paper-block");
