@@ -3,6 +3,7 @@
 #include <QBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 
 #include "ui/admin/on_window.h"
 #include "ui/text/failure_text.h"
@@ -19,14 +20,32 @@ QString names_of(const std::vector<DepartedStudent>& students) {
   return names.join(u", ");
 }
 
-enum class Erasure : std::uint8_t { none, all };
-
-/// A look without erasing, or with it, over a store of its own.
-Stored<DepartedStudents> departed_in(const RecordsBeside& records, const Actor& actor, int years, Erasure erasure, ClockTrust trust = ClockTrust::checked) {
-  const auto store = open_beside(erasure == Erasure::none ? records.for_reading() : records);
+Stored<DepartedStudents> departed_in(const RecordsBeside& records, const Actor& actor, int years) {
+  const auto store = open_beside(records.for_reading());
   if (!store) return std::unexpected(store.error());
-  StorageContext& context = (*store)->context();
-  return erasure == Erasure::none ? departed_students(context, actor, years) : erase_departed(context, actor, years, trust);
+  return departed_students((*store)->context(), actor, years);
+}
+
+/// What the question was about.
+struct AskedErasure {
+  int years = 0;
+  ClockTrust trust = ClockTrust::checked;
+  std::vector<DepartedStudent> shown;
+};
+
+/// nullopt, and nobody is erased, if somebody would be who was not shown.
+Stored<std::optional<DepartedStudents>> erase_shown(const RecordsBeside& records, const Actor& actor, const AskedErasure& asked) {
+  const auto store = open_beside(records);
+  if (!store) return std::unexpected(store.error());
+  const auto now = departed_students((*store)->context(), actor, asked.years);
+  if (!now) return std::unexpected(now.error());
+  const bool all_shown = std::ranges::all_of(now->erasable, [&asked](const DepartedStudent& one) {
+    return std::ranges::any_of(asked.shown, [&one](const DepartedStudent& shown) { return shown.account.id == one.account.id; });
+  });
+  if (!all_shown) return std::optional<DepartedStudents>();
+  auto erased = erase_departed((*store)->context(), actor, asked.years, asked.trust);
+  if (!erased) return std::unexpected(erased.error());
+  return std::optional(std::move(*erased));
 }
 
 }  // namespace
@@ -61,7 +80,7 @@ void DepartedCard::look() {
   erase_->setEnabled(false);
   if (years() == 0 || working_) return;
   task_ = BackgroundTask([records = records_, actor = actor_, asked = years(), self = QPointer(this)] {
-    auto shared = std::make_shared<Stored<DepartedStudents>>(departed_in(records, actor, asked, Erasure::none));
+    auto shared = std::make_shared<Stored<DepartedStudents>>(departed_in(records, actor, asked));
     QMetaObject::invokeMethod(
         QCoreApplication::instance(),
         [self, asked, shared] {
@@ -89,23 +108,28 @@ void DepartedCard::erase() {
   QString more = tr("Names, numbers and PINs go, and every text about their attempts. The attempts stay under a pseudonym. "
                     "It cannot be undone; backups made before still hold the names.");
   if (departed_.doubt) more.prepend(clock_question_text(*departed_.doubt) + u' ');
-  const ClockTrust trust = departed_.doubt ? ClockTrust::confirmed : ClockTrust::checked;
-  ports_.ask(this, {tr("Erase %n student(s) for good?", nullptr, gone), more, tr("Erase"), true}, [self = QPointer(this), trust](bool yes) {
+  const AskedErasure asked{years(), departed_.doubt ? ClockTrust::confirmed : ClockTrust::checked, departed_.erasable};
+  ports_.ask(this, {tr("Erase %n student(s) for good?", nullptr, gone), more, tr("Erase"), true}, [self = QPointer(this), asked](bool yes) {
     if (!self || !yes || self->working_) return;
     self->working_ = true;
     self->erase_->setEnabled(false);
-    self->task_ = BackgroundTask([records = self->records_, actor = self->actor_, years = self->years(), trust,
-                                  then = on_window<Stored<DepartedStudents>>(self.data(), &DepartedCard::show_erased)] {
-      then(departed_in(records, actor, years, Erasure::all, trust));
+    self->task_ = BackgroundTask([records = self->records_, actor = self->actor_, asked,
+                                  then = on_window<Stored<std::optional<DepartedStudents>>>(self.data(), &DepartedCard::show_erased)] {
+      then(erase_shown(records, actor, asked));
     });
   });
 }
 
-void DepartedCard::show_erased(const Stored<DepartedStudents>& departed) {
+void DepartedCard::show_erased(const Stored<std::optional<DepartedStudents>>& outcome) {
   working_ = false;
   look();
   emit erased();
-  if (!departed) return report_failure(departed.error());
+  if (!outcome) return report_failure(outcome.error());
+  const std::optional<DepartedStudents>& departed = *outcome;
+  if (!departed) {
+    emit reported(Band::Kind::look, tr("More students have been away that long by now."), tr("Nobody was erased. Check the list, then erase."));
+    return;
+  }
   const QString done = tr("%n student(s) are erased.", nullptr, static_cast<int>(departed->erasable.size()));
   if (departed->failed) {
     emit reported(Band::Kind::bad, done, describe(*departed->failed).line() + u' ' + tr("The others are not erased."));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "storage/retention/departed.h"
 #include "ui/modules.h"
@@ -41,7 +42,8 @@ class DepartedCard : public Card, public AtWork {
   int years() const;
   void look();
   void show_found(const Stored<DepartedStudents>& departed);
-  void show_erased(const Stored<DepartedStudents>& departed);
+  /// nullopt: nobody is, for others have left by now than the question named.
+  void show_erased(const Stored<std::optional<DepartedStudents>>& outcome);
   void report_failure(const StorageFailure& failure);
 
   RecordsBeside records_;

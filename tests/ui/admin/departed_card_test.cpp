@@ -72,6 +72,29 @@ TEST_F(Departed, AreErasedAndLeaveTheList) {
   EXPECT_TRUE(page.message().contains(QStringLiteral("erased"))) << page.message().toStdString();
 }
 
+TEST_F(Departed, AreNotErasedTogetherWithOneWhomTheQuestionDidNotName) {
+  ports.ask = [this](QWidget*, const Question&, const std::function<void(bool)>& then) {
+    // As a file of another station brings one meanwhile.
+    const std::int64_t now = std::exchange(records.now_us, 1'000'000'000'000'000);
+    records.student("4713", "Ida Falk");
+    records.now_us = now;
+    then(true);
+  };
+  PeoplePage page(records.store(), admin.actor(), ports);
+  DepartedCard& card = looked(page);
+  card.erase();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !card.working() && !card.found().isEmpty(); }, kPatience_ms));
+  EXPECT_TRUE(there("4713"));
+  EXPECT_TRUE(there("4712"));
+  EXPECT_TRUE(page.message().contains(QStringLiteral("Nobody was erased."))) << page.message().toStdString();
+  EXPECT_TRUE(card.found().contains(QStringLiteral("Ida Falk"))) << card.found().toStdString();
+  ports.ask = [](QWidget*, const Question&, const std::function<void(bool)>& then) { then(true); };
+  card.erase();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !card.working(); }, kPatience_ms));
+  EXPECT_FALSE(there("4713"));
+  EXPECT_FALSE(there("4712"));
+}
+
 TEST_F(Departed, AreErasedUnderAClockInDoubtAfterTheQuestionHasNamedIt) {
   PeoplePage page(records.store(), admin.actor(), ports);
   looked(page).erase();
