@@ -92,7 +92,7 @@ std::vector<ListedStudent> PeopleImport::to_do() const {
         if (const auto students = store_.cohorts.students(cohort->id)) at->second.insert(students->begin(), students->end());
     }
     const auto account = store_.accounts.find_number(student.number.toStdString());
-    return account && !at->second.contains(account->id);
+    return !account || !at->second.contains(account->id);  // another desk may have erased it: the import names the line
   };
   std::vector<ListedStudent> out;
   std::ranges::copy_if(model_->students(), std::back_inserter(out), [&](const ListedStudent& s) { return s.state == State::fresh || joins(s); });

@@ -237,6 +237,20 @@ TEST_F(Import, says_what_a_list_is_for_and_promises_no_pin_to_a_line_that_is_lef
   EXPECT_EQ(page.model().index(1, StudentListModel::kPin).data().toString().toStdString(), "");
 }
 
+TEST_F(Import, names_the_line_whose_account_another_desk_has_erased_meanwhile) {
+  const Account known = records.student("1", "Known One");
+  write("number,name,cohort\n1,Known One,Year 3\n");
+  PeopleImport page(records.store(), records.administrator().actor(), ports);
+  page.choose_file();
+  ASSERT_EQ(page.model().count(State::known), 1) << page.message().toStdString();
+  ASSERT_TRUE(records.store().accounts.erase(records.administrator().actor(), known.id));
+  page.start();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page.working(); }, 60'000));
+  EXPECT_TRUE(page.message().startsWith(QStringLiteral("Stopped at line 2."))) << page.message().toStdString();
+  page.choose_file();
+  EXPECT_EQ(page.model().count(State::fresh), 1) << "the list is read anew";
+}
+
 TEST_F(Import, a_second_import_of_the_same_list_makes_nothing_new) {
   write("number,name\n2,New Two\n");
   PeopleImport page(records.store(), records.administrator().actor(), ports);
