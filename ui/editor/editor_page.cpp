@@ -74,6 +74,7 @@ void EditorPage::follow_grower() {
   grow_soon_.setInterval(kRestMs);
   connect(&grow_soon_, &QTimer::timeout, this, &EditorPage::grow);
   connect(model_, &EditorModel::specimen_changed, this, [this] {
+    if (!held_) held_ = hold_folder(model_->folder());  // the first volume of a draft makes the folder
     grower_->cancel();
     grown_.reset();  // the view keeps the last tooth; trying out and checks wait for the new one
     grow_soon_.start();

@@ -6,11 +6,13 @@
 #include <filesystem>
 
 #include "scenarios/blocks/blocks.h"
+#include "scenarios/import/nrrd.h"
 #include "tests/file_limit.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "tests/ui/editor/editor_pages.h"
 #include "tests/ui/publish_draft.h"
+#include "ui/editor/specimen_grower.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/library_page.h"
 #include "ui/widgets/table.h"
@@ -60,6 +62,29 @@ TEST_F(DraftVolumes, stay_with_the_window_that_edits_a_draft_which_another_one_d
   const auto kept = records.store().scenarios.drafts(instructor.actor());
   ASSERT_EQ(kept->size(), 1u);
   EXPECT_EQ(*bytes_of(drafts_folder(records.file(), kept->front().scenario) / start.draft.specimen.volume), *bytes_of(volume));
+}
+
+TEST_F(DraftVolumes, that_are_chosen_in_the_editor_stay_with_the_window_too) {
+  EditorStart grown = coarse();
+  grown.published.reset();
+  grown.draft.id = ScenarioId::make();
+  grown.draft.key.clear();
+  const fs::path beside = drafts_folder(records.file(), grown.draft.id);
+  grown.folder = beside.string();
+  const auto window = open(grown);
+  ASSERT_FALSE(fs::exists(beside));
+  const VoxelVolume chosen = dexterity_block(0.4);
+  fs::create_directories(beside);
+  ASSERT_TRUE(write_nrrd(chosen, beside / "tooth.nrrd"));
+  SpecimenSource source;
+  source.volume = "tooth.nrrd";
+  source.voxel_mm = chosen.grid.voxel_mm;
+  ASSERT_TRUE(window->model().set_specimen(source, usual_tissues(facts_of(chosen).tissues)));
+  ASSERT_TRUE(window->keep_before_closing());
+  ASSERT_EQ(drafts(), 1u);
+  discard_elsewhere(records, instructor, ports, grown.draft.id);
+  EXPECT_EQ(drafts(), 0u);
+  EXPECT_TRUE(fs::exists(beside / "tooth.nrrd")) << "the window edits it";
 }
 
 TEST_F(DraftVolumes, go_with_a_draft_that_was_never_published_once_no_window_edits_it) {
