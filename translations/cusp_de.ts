@@ -3902,6 +3902,14 @@
         <source>The others are not erased.</source>
         <translation>Die anderen sind nicht gelöscht.</translation>
     </message>
+    <message>
+        <source>More students have been away that long by now.</source>
+        <translation>Inzwischen sind weitere Studierende so lange fort.</translation>
+    </message>
+    <message>
+        <source>Nobody was erased. Check the list, then erase.</source>
+        <translation>Niemand wurde gelöscht. Prüfen Sie die Liste und löschen Sie dann.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Desktop</name>
