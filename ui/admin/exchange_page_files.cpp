@@ -57,6 +57,7 @@ void ExchangePage::give_out_to(ExchangeKind kind) {
                                                    name_in_file(),
                                                    ports_.now().toString(u"yyyy-MM-dd-HHmm"_qs));
   wish.filter = tr("File of a station (*.cuspexchange)");
+  wish.what = FileWish::What::new_file;
   ports_.pick_file(this, wish, [this, kind](const QString& path) {
     if (QFile::exists(path)) {
       const StorageFailure taken{StorageError::duplicate, path.toStdString(), {}};

@@ -38,6 +38,7 @@ void Desktop::offer_pack(ReportPage& report) {
     wish.title = tr("Save the appeal pack");
     wish.name = as_file_name(report.data().student + u' ' + report.data().when.toString(u"yyyy-MM-dd HH-mm"_qs)) + QString::fromUtf8(kPackSuffix);
     wish.filter = tr("Appeal pack (*.cusppack)");
+    wish.what = FileWish::What::new_file;
     ports_.pick_file(&report, wish, [this, page = QPointer<ReportPage>(&report)](const QString& path) {
       if (page && account_) write_pack(*page, path);
     });

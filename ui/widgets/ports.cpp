@@ -75,6 +75,7 @@ Ports Ports::of_the_system() {
     if (wish.saving) {
       dialog->selectFile(wish.name);
       dialog->setDefaultSuffix(QFileInfo(wish.name).suffix());  // the dialog then asks before it replaces that file
+      dialog->setOption(QFileDialog::DontConfirmOverwrite, wish.what == FileWish::What::new_file);
     }
     if (wish.what == FileWish::What::folder) {
       dialog->setAcceptMode(QFileDialog::AcceptOpen);

@@ -22,7 +22,7 @@ struct Question {
 };
 
 struct FileWish {
-  enum class What { file, folder };
+  enum class What { file, new_file, folder };  // new_file: its writer replaces none, and the picker offers no replacing
   QString title;
   QString name;            // suggested file name (saving)
   QString filter;          // "CSV (*.csv)"

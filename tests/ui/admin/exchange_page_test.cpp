@@ -53,6 +53,7 @@ class FilesBetweenStations : public testing::Test {
     ports.now = [] { return QDateTime(QDate(2026, 11, 20), QTime(10, 0)); };
     ports.pick_file = [this](QWidget*, const FileWish& wish, std::function<void(const QString&)> then) {
       suggested = wish.name;
+      wished = wish.what;
       then(chosen);
     };
     ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
@@ -110,6 +111,7 @@ class FilesBetweenStations : public testing::Test {
   QTemporaryDir stick;
   Ports ports;
   QString chosen, suggested, asked;
+  FileWish::What wished = FileWish::What::file;
   int files = 0;
 };
 
@@ -311,6 +313,7 @@ TEST_F(FilesBetweenStations, AFileThatIsThereIsNotOverwritten) {
   wait_for(*shown);
   EXPECT_TRUE(shown->message().contains(QStringLiteral("is there already"))) << shown->message().toStdString();
   EXPECT_EQ(QFileInfo(chosen).size(), before);
+  EXPECT_EQ(wished, FileWish::What::new_file) << "else the picker asks whether to replace it";
 }
 
 /// No button cuts its text, and nothing lies beside the window.

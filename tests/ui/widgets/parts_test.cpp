@@ -203,6 +203,19 @@ TEST(Ports, a_name_without_suffix_gets_that_of_the_suggested_one) {
   dialog->reject();
 }
 
+TEST(Ports, replacing_is_offered_only_where_the_writer_replaces) {
+  for (const auto what : {FileWish::What::file, FileWish::What::new_file}) {
+    QWidget page;
+    FileWish wish{QStringLiteral("Save"), QStringLiteral("pack.cusppack"), QStringLiteral("Appeal pack (*.cusppack)")};
+    wish.what = what;
+    Ports::of_the_system().pick_file(&page, wish, [](const QString&) {});
+    auto* dialog = page.findChild<QFileDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_EQ(dialog->testOption(QFileDialog::DontConfirmOverwrite), what == FileWish::What::new_file);
+    dialog->reject();
+  }
+}
+
 TEST(Ports, the_window_is_the_active_one_after_a_file_is_chosen_or_not) {
   QWidget page;
   page.show();
