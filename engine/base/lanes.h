@@ -14,6 +14,11 @@ using LaneMask = int __attribute__((vector_size(16)));  // all bits of a lane, o
 inline constexpr int kLanes = 4;
 
 inline Lanes all_lanes(float v) noexcept { return Lanes{v, v, v, v}; }
+inline Lanes load_lanes(const float* from) noexcept {
+  Lanes out;
+  __builtin_memcpy(&out, from, sizeof out);
+  return out;
+}
 
 inline Lanes sqrt_of(Lanes v) noexcept {
 #if defined(__SSE2__)

@@ -1,5 +1,5 @@
 /// Which of many points may hold off a head that is no ball, four at a time. Places in voxels, single precision: what passes is
-/// asked again exactly. Wait-free; the vector and the portable path do the same arithmetic. Thread: any.
+/// asked again exactly. Wait-free. Thread: any.
 #pragma once
 
 #include <cmath>
@@ -43,13 +43,8 @@ struct HeadBand {
 /// edge. Three floats beyond count must be readable.
 template <class Visit>
 inline void for_band(const float* x, const float* y, const float* z, int count, const HeadBand& band, Visit&& visit) noexcept {
-  const auto load = [](const float* from) {
-    Lanes out;
-    __builtin_memcpy(&out, from, sizeof out);
-    return out;
-  };
   for (int i = 0; i < count; i += kLanes) {
-    const Lanes dx = load(x + i) - band.at.x, dy = load(y + i) - band.at.y, dz = load(z + i) - band.at.z;
+    const Lanes dx = load_lanes(x + i) - band.at.x, dy = load_lanes(y + i) - band.at.y, dz = load_lanes(z + i) - band.at.z;
     const Lanes t = dx * band.axis.x + dy * band.axis.y + dz * band.axis.z;
     const Lanes rho = sqrt_of(most_of(dx * dx + dy * dy + dz * dz - t * t, all_lanes(0.0f)));
     // A convex head is no nearer than a line that it touches.

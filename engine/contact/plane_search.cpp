@@ -2,10 +2,6 @@
 
 #include <cmath>
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
-
 namespace cusp::engine {
 
 namespace {
@@ -246,36 +242,16 @@ PlaneSearch closest_point(Vec3 q, const PlaneSet& planes, double tolerance_mm, s
 }
 
 int PlaneSet::worst(Vec3 y, double tolerance_mm) const noexcept {
-  const int count = static_cast<int>(count_);
-  double most[2] = {-tolerance_mm, -tolerance_mm};
-  double at[2] = {-1.0, -1.0};
-#if defined(__SSE2__)
-  // Two lanes, each with the first of its worst; the portable path below goes through the same comparisons.
-  const __m128d yx = _mm_set1_pd(y.x), yy = _mm_set1_pd(y.y), yz = _mm_set1_pd(y.z), two = _mm_set1_pd(2.0);
-  __m128d low = _mm_set1_pd(-tolerance_mm), where = _mm_set1_pd(-1.0), index = _mm_set_pd(1.0, 0.0);
-  const __m128d end = _mm_set1_pd(static_cast<double>(count));
-  for (int i = 0; i < count; i += 2) {
-    const __m128d slack = _mm_sub_pd(
-        _mm_add_pd(_mm_add_pd(_mm_mul_pd(_mm_loadu_pd(&nx_[static_cast<std::size_t>(i)]), yx),
-                              _mm_mul_pd(_mm_loadu_pd(&ny_[static_cast<std::size_t>(i)]), yy)),
-                   _mm_mul_pd(_mm_loadu_pd(&nz_[static_cast<std::size_t>(i)]), yz)),
-        _mm_loadu_pd(&c_[static_cast<std::size_t>(i)]));
-    const __m128d less = _mm_and_pd(_mm_cmplt_pd(slack, low), _mm_cmplt_pd(index, end));
-    low = _mm_or_pd(_mm_and_pd(less, slack), _mm_andnot_pd(less, low));
-    where = _mm_or_pd(_mm_and_pd(less, index), _mm_andnot_pd(less, where));
-    index = _mm_add_pd(index, two);
+  // Two lanes, each with the first of its worst.
+  Pair most = both(-tolerance_mm), at = both(-1.0), index{0.0, 1.0};
+  const auto end = static_cast<double>(count_);
+  for (std::size_t i = 0; i < count_; i += 2) {
+    const Pair slack = load_pair(&nx_[i]) * y.x + load_pair(&ny_[i]) * y.y + load_pair(&nz_[i]) * y.z - load_pair(&c_[i]);
+    const PairMask less = (slack < most) & (index < end);
+    most = less ? slack : most;
+    at = less ? index : at;
+    index += 2.0;
   }
-  _mm_storeu_pd(most, low);
-  _mm_storeu_pd(at, where);
-#else
-  for (int i = 0; i < count; ++i) {
-    const double value = slack(static_cast<std::size_t>(i), y);
-    if (value < most[i & 1]) {
-      most[i & 1] = value;
-      at[i & 1] = i;
-    }
-  }
-#endif
   const bool second = at[1] >= 0.0 && (at[0] < 0.0 || most[1] < most[0] || (most[1] == most[0] && at[1] < at[0]));
   return static_cast<int>(second ? at[1] : at[0]);
 }

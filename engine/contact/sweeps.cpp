@@ -127,11 +127,7 @@ SweepRun Sweeps::about(std::int32_t id, int before, int after) const noexcept {
 
 /// Squared distances of q, seen from the middle, to the ways of four sweeps from i on. The last ones may be beyond the run.
 inline Lanes Sweeps::four_distances2(Vec3f q, std::int32_t i) const noexcept {
-  const auto load = [](const std::vector<float>& from, std::int32_t at) {
-    Lanes out;
-    __builtin_memcpy(&out, &from[static_cast<std::size_t>(at)], sizeof out);
-    return out;
-  };
+  const auto load = [](const std::vector<float>& from, std::int32_t at) { return load_lanes(&from[static_cast<std::size_t>(at)]); };
   const Lanes ax = load(x_, i), ay = load(y_, i), az = load(z_, i);
   const Lanes wx = load(x_, i + 1) - ax, wy = load(y_, i + 1) - ay, wz = load(z_, i + 1) - az;
   const Lanes px = q.x - ax, py = q.y - ay, pz = q.z - az;
