@@ -256,7 +256,7 @@ std::size_t SurfaceContact::add_shank_constraints(const Volume& volume, const To
     const double radius = t > reach.wide_from ? reach.thick : reach.slim;
     return glm::dot(d, d) - t * t <= radius * radius;
   };
-  TwoCylinders shape = cylinders_of(there.from, there.wide_from, there.to, there.slim, there.thick, tool.axis, 1.0 / voxel_mm_);
+  TwoCylinders shape = there.cylinders(tool.axis, voxel_mm_);
   shape.at = Vec3f((at - gathered_.centre) / voxel_mm_);
   const std::size_t from = ball_count_;
   std::size_t looked = 0;

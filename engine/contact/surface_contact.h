@@ -213,6 +213,8 @@ class SurfaceContact {
   struct Reach {
     double from = 0.0, wide_from = 0.0, to = 0.0;
     double slim = 0.0, thick = 0.0;
+    /// In voxels, from a pivot that is still to be given, and a little wider.
+    TwoCylinders cylinders(Vec3 axis, double voxel_mm) const noexcept;
   };
   static Reach shank_within(const Tool& tool, double margin_mm) noexcept;
   static Reach head_within(const Tool& tool, double margin_mm) noexcept;
@@ -221,13 +223,9 @@ class SurfaceContact {
   template <class Visit>
   void bricks_within(const Volume& volume, Vec3 axis, Vec3 centre, const Reach& reach, Visit&& visit) const noexcept;
   template <class Visit>
-  void features_within(const Volume& volume, Vec3 axis, Vec3 centre, const Reach& reach, Visit&& visit) noexcept;
-  template <class Visit>
-  void head_bricks(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm, Visit&& visit) const noexcept;
-  template <class Cells, class Choose, class Visit>
-  void features(const Volume& volume, int brick, IVec3 at, Cells&& cells, Choose&& choose, Visit&& visit) noexcept;
-  /// Brings the cells of the cut that two cylinders reach up to date while `budget` lasts; what is left of it.
-  int prepare_within(const Volume& volume, Vec3 axis, Vec3 centre, const Reach& reach, int budget) noexcept;
+  void free_bricks(const Volume& volume, const Tool& tool, Vec3 pose, Visit&& visit) const noexcept;
+  template <class Cells, class Look>
+  void features(const Volume& volume, int brick, Cells&& cells, Look&& look) noexcept;
   enum class ToolPart : std::uint8_t { head, shank };
   template <class Cells, class Choose>
   void gather_from(const Volume& volume, const Tool& tool, Vec3 centre, int brick, IVec3 at, ToolPart part, Cells&& cells,

@@ -34,15 +34,9 @@ void SurfaceContact::find_free(const Volume& volume, const Tool& tool, Vec3 pose
   free_.valid = false;
   // Changed cells near the bur are computed some a tick; until all are, searches answer.
   int budget = kCellsATick;
-  if (tool.ball()) {
-    ball_bricks(volume, pose, tool.bur->radius_mm + kFreeMargin, [&](int brick, IVec3 at, double) {
-      const Vec3 corner = volume.grid().origin_mm + voxel_mm_ * Vec3(at * kBrickEdge);
-      if (budget >= 0 && volume.has_cut(brick)) budget = cut_.prepare(volume, brick, cells_free(tool, pose, corner), budget);
-    });
-  } else {
-    budget = prepare_within(volume, tool.axis, pose, head_within(tool, kFreeMargin), budget);
-  }
-  if (budget >= 0) budget = prepare_within(volume, tool.axis, pose, shank_within(tool, kFreeMargin), budget);
+  free_bricks(volume, tool, pose, [&](int brick, IVec3, auto&& cells) {
+    if (budget >= 0 && volume.has_cut(brick)) budget = cut_.prepare(volume, brick, cells(), budget);
+  });
   if (budget < 0) return;
   // The plane of the nearest point, moved up to the highest point of every brick in reach of head, neck and shank, and
   // half a voxel more for what stands between points.
@@ -60,16 +54,39 @@ CellsNear SurfaceContact::cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm
   return CellsNear::ball(Vec3f((pose - corner_mm) * per_mm), static_cast<float>((tool.bur->radius_mm + kFreeMargin) * per_mm + kFloatSlack));
 }
 
+/// Calls visit(brick, at, cells) for the bricks with points that may lie within kFreeMargin of the head, then of neck and shank.
+/// cells(): those of the brick that may hold one.
+template <class Visit>
+void SurfaceContact::free_bricks(const Volume& volume, const Tool& tool, Vec3 pose, Visit&& visit) const noexcept {
+  const auto in_cylinders = [&](int brick, IVec3 at, const TwoCylinders& shape) {
+    visit(brick, at, [&] { return CellsNear::cylinders(shape); });
+  };
+  if (tool.ball())
+    ball_bricks(volume, pose, tool.bur->radius_mm + kFreeMargin, [&](int brick, IVec3 at, double) {
+      visit(brick, at, [&] { return cells_free(tool, pose, brick_corner(volume.grid(), at)); });
+    });
+  else
+    bricks_within(volume, tool.axis, pose, head_within(tool, kFreeMargin), in_cylinders);
+  bricks_within(volume, tool.axis, pose, shank_within(tool, kFreeMargin), in_cylinders);
+}
+
 /// Normal of the surface's point that is nearest to a head that is no ball; n as it was where none is near.
 void SurfaceContact::nearest_to_head(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept {
   double nearest = 1e300;
   for (const double margin : {kCloseMm, kFreeMargin}) {
-    features_within(volume, tool.axis, pose, head_within(tool, margin), [&](Vec3 point, const CutFeature& f) {
-      Vec3 gradient;
-      const double gap = head_distance(*tool.bur, tool.axis, point - pose, gradient);
-      if (gap >= nearest) return;
-      nearest = gap;
-      n = f.edge ? -gradient : Vec3(f.normal);
+    bricks_within(volume, tool.axis, pose, head_within(tool, margin), [&](int brick, IVec3 at, const TwoCylinders& shape) {
+      const Vec3 corner_mm = brick_corner(volume.grid(), at);
+      features(volume, brick, [&] { return CellsNear::cylinders(shape); },
+               [&](const float* x, const float* y, const float* z, int count, auto&& feature) {
+                 for_inside(x, y, z, count, shape, [&](int i) {
+                   Vec3 gradient;
+                   const double gap = head_distance(*tool.bur, tool.axis, corner_mm + voxel_mm_ * Vec3(x[i], y[i], z[i]) - pose, gradient);
+                   if (gap >= nearest) return;
+                   nearest = gap;
+                   const CutFeature& f = feature(i);
+                   n = f.edge ? -gradient : Vec3(f.normal);
+                 });
+               });
     });
     if (nearest < 1e200) return;
   }
@@ -82,39 +99,25 @@ void SurfaceContact::nearest_to_ball(const Volume& volume, const Tool& tool, Vec
   Vec3 nearest(0.0);
   for (const double reach : {r + kCloseMm, r + kFreeMargin}) {
     const double per_mm = 1.0 / voxel_mm_;
-    const auto look = [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&& feature) {
-      const double wide = (nearest2 < 1e200 ? std::sqrt(nearest2) : reach) * per_mm + kFloatSlack;
-      int best = -1;
-      for_near(x, y, z, count, Vec3f((pose - corner_mm) * per_mm), static_cast<float>(wide * wide), [&](int i) {
-        const Vec3 d = pose - (corner_mm + voxel_mm_ * Vec3(x[i], y[i], z[i]));
-        const double d2 = glm::dot(d, d);
-        if (d2 >= nearest2) return;
-        nearest2 = d2;
-        nearest = d;
-        best = i;
-      });
-      if (best < 0) return;
-      const CutFeature& f = feature(best);
-      nearest = f.edge ? nearest / std::sqrt(nearest2) : Vec3(f.normal);
-    };
     ball_bricks(volume, pose, reach, [&](int brick, IVec3 at, double square) {
       if (square > nearest2) return;
-      const Grid& grid = volume.grid();
-      const Vec3 corner_mm = grid.origin_mm + grid.voxel_mm * Vec3(at * kBrickEdge);
-      if (!volume.has_cut(brick)) {
-        const BasePoints points = volume.specimen().surface().in(brick);
-        CutFeature own;
-        look(points.x, points.y, points.z, points.count, corner_mm, [&](int i) -> const CutFeature& {
-          base_feature(volume.specimen().surface(), points, i, grid.voxel_mm, own);
-          return own;
-        });
-        return;
-      }
-      for (std::int32_t p = cut_.first(volume, brick, [&] { return cells_free(tool, pose, corner_mm); }); p >= 0; p = cut_.page(p).next) {
-        const CutSurface::Page& page = cut_.page(p);
-        look(page.x, page.y, page.z, page.count, corner_mm,
-             [&](int i) -> const CutFeature& { return page.feature[i]; });
-      }
+      const Vec3 corner_mm = brick_corner(volume.grid(), at);
+      features(volume, brick, [&] { return cells_free(tool, pose, corner_mm); },
+               [&](const float* x, const float* y, const float* z, int count, auto&& feature) {
+                 const double wide = (nearest2 < 1e200 ? std::sqrt(nearest2) : reach) * per_mm + kFloatSlack;
+                 int best = -1;
+                 for_near(x, y, z, count, Vec3f((pose - corner_mm) * per_mm), static_cast<float>(wide * wide), [&](int i) {
+                   const Vec3 d = pose - (corner_mm + voxel_mm_ * Vec3(x[i], y[i], z[i]));
+                   const double d2 = glm::dot(d, d);
+                   if (d2 >= nearest2) return;
+                   nearest2 = d2;
+                   nearest = d;
+                   best = i;
+                 });
+                 if (best < 0) return;
+                 const CutFeature& f = feature(best);
+                 nearest = f.edge ? nearest / std::sqrt(nearest2) : Vec3(f.normal);
+               });
     });
     if (nearest2 < 1e200) break;
   }
@@ -127,42 +130,24 @@ bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pos
   FreeSpace found{pose, n, kFreeMargin - voxel_mm_, 0.0, tool.index, true, false, tool.axis};
   double highest = -1e300;
   const Vec3f slim_n(n);
-  const auto raise = [&](int brick, IVec3 at, auto&& cells) {
+  free_bricks(volume, tool, pose, [&](int brick, IVec3 at, auto&& cells) {
+    const Vec3 corner_mm = brick_corner(volume.grid(), at);
     // Its highest corner along n is not above what there is.
     if (found.bounded && !volume.has_cut(brick)) {
       const PointsBox& box = boxes_[static_cast<std::size_t>(brick)];
       const Vec3 low = box.low(), high = box.high();
-      const double top = glm::dot(n, volume.grid().origin_mm + voxel_mm_ * Vec3(at * kBrickEdge)) +
+      const double top = glm::dot(n, corner_mm) +
                          voxel_mm_ * ((n.x > 0.0 ? high.x : low.x) * n.x + (n.y > 0.0 ? high.y : low.y) * n.y +
                                       (n.z > 0.0 ? high.z : low.z) * n.z);
       if (top <= highest) return;
     }
-    features(
-        volume, brick, at, cells,
-        [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&&) {
-          if (count == 0) return;
-          found.bounded = true;
-          const double height = glm::dot(n, corner_mm) + voxel_mm_ * highest_along(x, y, z, count, slim_n);
-          highest = height > highest ? height : highest;
-        },
-        [](Vec3, const CutFeature&) {});
-  };
-  const auto raise_in = [&](const Reach& reach) {
-    TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, 1.0 / voxel_mm_);
-    bricks_within(volume, tool.axis, pose, reach, [&](int brick, IVec3 at) {
-      raise(brick, at, [&](Vec3 corner_mm) {
-        shape.at = Vec3f((pose - corner_mm) * (1.0 / voxel_mm_));
-        return CellsNear::cylinders(shape);
-      });
+    features(volume, brick, cells, [&](const float* x, const float* y, const float* z, int count, auto&&) {
+      if (count == 0) return;
+      found.bounded = true;
+      const double height = glm::dot(n, corner_mm) + voxel_mm_ * highest_along(x, y, z, count, slim_n);
+      highest = height > highest ? height : highest;
     });
-  };
-  if (tool.ball())
-    ball_bricks(volume, pose, bur.radius_mm + kFreeMargin, [&](int brick, IVec3 at, double) {
-      raise(brick, at, [&](Vec3 corner_mm) { return cells_free(tool, pose, corner_mm); });
-    });
-  else
-    raise_in(head_within(tool, kFreeMargin));
-  raise_in(shank_within(tool, kFreeMargin));
+  });
   if (found.bounded) {
     const double up = glm::dot(n, tool.axis);
     if (up < 0.0) return false;

@@ -14,15 +14,6 @@ constexpr double kLeastMargin = 0.06;  // mm
 /// Voxels from an inner edge to where its rounding ends: a cell's field reads one sample beyond it.
 constexpr double kRimReach = 1.0;
 
-/// Cells that two cylinders reach, of a brick in which they stand at a place.
-auto cells_of(TwoCylinders shape) noexcept {
-  return [shape](Vec3f local) {
-    TwoCylinders there = shape;
-    there.at = local;
-    return CellsNear::cylinders(there);
-  };
-}
-
 }  // namespace
 
 void SurfaceContact::add(const Candidate& candidate, const CutFeature* own) noexcept {
@@ -102,8 +93,7 @@ void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 ce
   const bool cut = volume.has_cut(brick);
   const bool has_edges = cut || boxes_[static_cast<std::size_t>(brick)].edges;
   edges_ = edges_ || has_edges;
-  const Grid& grid = volume.grid();
-  const Vec3f local((centre - (grid.origin_mm + voxel_mm_ * Vec3(at * kBrickEdge))) * (1.0 / voxel_mm_));
+  const Vec3f local((centre - brick_corner(volume.grid(), at)) * (1.0 / voxel_mm_));
   const SweptVoid::Known* walls = cut && tool.ball() && part == ToolPart::head ? &walls_.known(volume, brick) : nullptr;
   const BasePoints base_points = cut ? BasePoints{} : volume.specimen().surface().in(brick);
   const auto gather_near = [&](const float* x, const float* y, const float* z, int count, const CutSurface::Page* page) {
@@ -152,14 +142,16 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
   insides_.clear();
   const double per_mm = 1.0 / voxel_mm_;
   // With the shank's cells in the same bricks: what brings a brick's cells up to date moves its pages.
-  const Reach beside = shank_within(tool, margin_mm);
-  const auto shank_cells = cells_of(cylinders_of(beside.from, beside.wide_from, beside.to, beside.slim, beside.thick, tool.axis, per_mm));
+  TwoCylinders shank = shank_within(tool, margin_mm).cylinders(tool.axis, voxel_mm_);
+  const auto shank_cells = [&shank](Vec3f local) {
+    shank.at = local;
+    return CellsNear::cylinders(shank);
+  };
   if (!tool.ball()) {
     const Reach reach = head_within(tool, margin_mm + std::max(edge_mm, kPlaneReach * voxel_mm_));
-    const TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, per_mm);
     HeadBand band(tool.bur->head, tool.axis, margin_mm, std::max(edge_mm, kPlaneReach * voxel_mm_), per_mm);
-    bricks_within(volume, tool.axis, centre, reach, [&](int brick, IVec3 at) {
-      gather_from(volume, tool, centre, brick, at, ToolPart::head, [&](Vec3f local) { return cells_of(shape)(local) | shank_cells(local); },
+    bricks_within(volume, tool.axis, centre, reach, [&](int brick, IVec3 at, const TwoCylinders& shape) {
+      gather_from(volume, tool, centre, brick, at, ToolPart::head, [&](Vec3f local) { return CellsNear::cylinders(shape) | shank_cells(local); },
                   [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool, auto&& pass) {
                     band.at = local;
                     for_band(x, y, z, count, band, [&](int i, bool) { pass(i); });
@@ -199,28 +191,14 @@ SurfaceContact::Reach SurfaceContact::head_within(const Tool& tool, double margi
 }
 
 void SurfaceContact::gather_shank(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm) noexcept {
-  const Reach reach = shank_within(tool, margin_mm);
-  TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, 1.0 / voxel_mm_);
   const bool edges = edges_;  // an edge of theirs is a point
-  bricks_within(volume, tool.axis, centre, reach, [&](int brick, IVec3 at) {
-    gather_from(volume, tool, centre, brick, at, ToolPart::shank, cells_of(shape),
-                [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool, auto&& pass) {
-                  shape.at = local;
+  bricks_within(volume, tool.axis, centre, shank_within(tool, margin_mm), [&](int brick, IVec3 at, const TwoCylinders& shape) {
+    gather_from(volume, tool, centre, brick, at, ToolPart::shank, [&](Vec3f) { return CellsNear::cylinders(shape); },
+                [&](const float* x, const float* y, const float* z, int count, Vec3f, bool, auto&& pass) {
                   for_inside(x, y, z, count, shape, pass);
                 });
   });
   edges_ = edges;
-}
-
-int SurfaceContact::prepare_within(const Volume& volume, Vec3 axis, Vec3 centre, const Reach& reach, int budget) noexcept {
-  const double per_mm = 1.0 / voxel_mm_;
-  TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, axis, per_mm);
-  bricks_within(volume, axis, centre, reach, [&](int brick, IVec3 at) {
-    if (budget < 0 || !volume.has_cut(brick)) return;
-    shape.at = Vec3f((centre - (volume.grid().origin_mm + voxel_mm_ * Vec3(at * kBrickEdge))) * per_mm);
-    budget = cut_.prepare(volume, brick, CellsNear::cylinders(shape), budget);
-  });
-  return budget;
 }
 
 /// Brings what a search of one step from `centre` may touch to hand: a little more than that, for the next few.

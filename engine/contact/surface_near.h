@@ -28,9 +28,11 @@ inline IVec3 brick_floor(const Grid& grid, Vec3 p) noexcept {
   return cell_of_voxels((p - grid.origin_mm) * (1.0 / (grid.voxel_mm * kBrickEdge)));
 }
 
-/// In voxels, from a pivot that is still to be given, and a little wider.
-inline TwoCylinders cylinders_of(double from, double wide_from, double to, double slim, double thick, Vec3 axis,
-                          double per_mm) noexcept {
+/// Place of a brick's first voxel, mm.
+inline Vec3 brick_corner(const Grid& grid, IVec3 at) noexcept { return grid.origin_mm + grid.voxel_mm * Vec3(at * kBrickEdge); }
+
+inline TwoCylinders SurfaceContact::Reach::cylinders(Vec3 axis, double voxel_mm) const noexcept {
+  const double per_mm = 1.0 / voxel_mm;
   TwoCylinders out;
   out.axis = Vec3f(axis);
   const double narrow = slim * per_mm + kFloatSlack, wide = thick * per_mm + kFloatSlack;
@@ -42,28 +44,22 @@ inline TwoCylinders cylinders_of(double from, double wide_from, double to, doubl
   return out;
 }
 
-/// Calls chosen(x, y, z, count, corner mm, visit(i)) with the places of a brick's points and edges, in voxels from its
-/// first voxel, in cell order, and visit(place mm, feature) for those that it lets through. Of a brick that was cut at
-/// least those of cells(corner mm).
-template <class Cells, class Choose, class Visit>
-void SurfaceContact::features(const Volume& volume, int brick, IVec3 at, Cells&& cells, Choose&& choose, Visit&& visit) noexcept {
-  const Grid& grid = volume.grid();
-  const Vec3 corner_mm = grid.origin_mm + grid.voxel_mm * Vec3(at * kBrickEdge);
+/// Calls look(x, y, z, count, feature) with the places of a brick's points and edges, in voxels from its first voxel, in cell
+/// order; feature(i): what place i is. Of a brick that was cut at least those of cells().
+template <class Cells, class Look>
+void SurfaceContact::features(const Volume& volume, int brick, Cells&& cells, Look&& look) noexcept {
   if (!volume.has_cut(brick)) {
     const BasePoints points = volume.specimen().surface().in(brick);
-    choose(points.x, points.y, points.z, points.count, corner_mm, [&](int i) {
+    look(points.x, points.y, points.z, points.count, [&](int i) {
       CutFeature feature;
-      base_feature(volume.specimen().surface(), points, i, grid.voxel_mm, feature);
-      visit(corner_mm + grid.voxel_mm * Vec3(points.x[i], points.y[i], points.z[i]), feature);
+      base_feature(volume.specimen().surface(), points, i, voxel_mm_, feature);
+      return feature;
     });
     return;
   }
-  for (std::int32_t p = cut_.first(volume, brick, [&] { return cells(corner_mm); }); p >= 0;) {
+  for (std::int32_t p = cut_.first(volume, brick, cells); p >= 0; p = cut_.page(p).next) {
     const CutSurface::Page& page = cut_.page(p);
-    choose(page.x, page.y, page.z, page.count, corner_mm, [&](int i) {
-      visit(corner_mm + grid.voxel_mm * Vec3(page.x[i], page.y[i], page.z[i]), page.feature[i]);
-    });
-    p = page.next;
+    look(page.x, page.y, page.z, page.count, [&](int i) -> const CutFeature& { return page.feature[i]; });
   }
 }
 
@@ -73,7 +69,7 @@ inline bool SurfaceContact::points_box(const Volume& volume, int brick, IVec3 at
   const bool cut = volume.has_cut(brick);
   if (!cut && box.empty()) return false;
   const Grid& grid = volume.grid();
-  const Vec3 corner = grid.origin_mm + grid.voxel_mm * Vec3(at * kBrickEdge);
+  const Vec3 corner = brick_corner(grid, at);
   if (cut) {
     low = corner - 0.2 * grid.voxel_mm;
     high = corner + 8.2 * grid.voxel_mm;
@@ -122,12 +118,14 @@ void SurfaceContact::ball_bricks(const Volume& volume, Vec3 centre, double reach
   }
 }
 
-/// Calls visit(brick) for each brick, in index order, whose surface may lie in two cylinders.
+/// Calls visit(brick, at, cylinders) for each brick, in index order, whose surface may lie in two cylinders about an axis;
+/// cylinders: the same in voxels from the brick's first voxel.
 template <class Visit>
 void SurfaceContact::bricks_within(const Volume& volume, Vec3 axis, Vec3 centre, const Reach& reach,
                                    Visit&& visit) const noexcept {
   const Specimen& specimen = volume.specimen();
   const Grid& grid = volume.grid();
+  TwoCylinders shape = reach.cylinders(axis, voxel_mm_);
   const double thick = std::max(reach.thick, reach.slim);
   const double slack = 0.2 * grid.voxel_mm;
   const auto box = [&](double low_t, double high_t, double radius, IVec3& low, IVec3& high) {
@@ -156,35 +154,10 @@ void SurfaceContact::bricks_within(const Volume& volume, Vec3 axis, Vec3 centre,
         const double wide = t + along > reach.wide_from ? thick : reach.slim;
         const double far = wide + std::sqrt(glm::dot(half, half));
         if (glm::dot(middle, middle) - t * t > far * far) continue;
-        visit(row + x, IVec3(x, y, z));
+        shape.at = Vec3f((centre - brick_corner(grid, {x, y, z})) * (1.0 / voxel_mm_));
+        visit(row + x, IVec3(x, y, z), shape);
       }
     }
-}
-
-/// Calls visit(brick) for each brick, in index order, with points that may lie within margin of the head.
-template <class Visit>
-void SurfaceContact::head_bricks(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm,
-                                 Visit&& visit) const noexcept {
-  if (tool.ball())
-    ball_bricks(volume, centre, tool.bur->radius_mm + margin_mm, [&](int brick, IVec3 at, double) { visit(brick, at); });
-  else
-    bricks_within(volume, tool.axis, centre, head_within(tool, margin_mm), visit);
-}
-
-/// Calls visit(place mm, feature) for the points and edges in two cylinders about an axis.
-template <class Visit>
-void SurfaceContact::features_within(const Volume& volume, Vec3 axis, Vec3 centre, const Reach& reach, Visit&& visit) noexcept {
-  const double per_mm = 1.0 / voxel_mm_;
-  TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, axis, per_mm);
-  bricks_within(volume, axis, centre, reach, [&](int brick, IVec3 at) {
-    shape.at = Vec3f((centre - (volume.grid().origin_mm + voxel_mm_ * Vec3(at * kBrickEdge))) * per_mm);
-    features(
-        volume, brick, at, [&](Vec3) { return CellsNear::cylinders(shape); },
-        [&](const float* x, const float* y, const float* z, int count, Vec3, auto&& pass) {
-          for_inside(x, y, z, count, shape, pass);
-        },
-        visit);
-  });
 }
 
 }  // namespace cusp::engine

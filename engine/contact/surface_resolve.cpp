@@ -20,9 +20,8 @@ template <class Visit>
 void SurfaceContact::unresolved_near(const Volume& volume, const Tool& tool, Vec3 pose, double margin_mm, Visit&& visit) const noexcept {
   const double side = voxel_mm_, reach = tool.bur->radius_mm + margin_mm;
   const auto near = [&](IVec3 at) {
-    if (!tool.ball()) return CutSurface::kAllParts;
     CutSurface::Parts out = 0;
-    const Vec3 corner = volume.grid().origin_mm + side * Vec3(at * kBrickEdge);
+    const Vec3 corner = brick_corner(volume.grid(), at);
     for (int part = 0; part < 2 * kBrickEdge; ++part) {
       const double y = part % 2 * 4.0, z = part / 2;
       const Vec3 low = corner + Vec3(-0.2, y - 0.2, z - 0.2) * side, high = corner + Vec3(8.2, y + 4.2, z + 1.2) * side;
@@ -34,12 +33,16 @@ void SurfaceContact::unresolved_near(const Volume& volume, const Tool& tool, Vec
     parts = static_cast<CutSurface::Parts>(parts & cut_.unresolved(volume, brick));
     if (parts != 0) visit(brick, parts);
   };
-  head_bricks(volume, tool, pose, margin_mm, [&](int brick, IVec3 at) {
-    if (volume.has_cut(brick) && cut_.unresolved(volume, brick) != 0) visit_among(brick, near(at));
-  });
-  bricks_within(volume, tool.axis, pose, shank_within(tool, margin_mm), [&](int brick, IVec3) {
+  const auto visit_all = [&](int brick, IVec3, const TwoCylinders&) {
     if (volume.has_cut(brick)) visit_among(brick, CutSurface::kAllParts);
-  });
+  };
+  if (tool.ball())
+    ball_bricks(volume, pose, reach, [&](int brick, IVec3 at, double) {
+      if (volume.has_cut(brick) && cut_.unresolved(volume, brick) != 0) visit_among(brick, near(at));
+    });
+  else
+    bricks_within(volume, tool.axis, pose, head_within(tool, margin_mm), visit_all);
+  bricks_within(volume, tool.axis, pose, shank_within(tool, margin_mm), visit_all);
 }
 
 void SurfaceContact::resolve(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, Resolve when) noexcept {
