@@ -68,15 +68,9 @@ inline bool SurfaceContact::points_box(const Volume& volume, int brick, IVec3 at
   const PointsBox& box = boxes_[static_cast<std::size_t>(brick)];
   const bool cut = volume.has_cut(brick);
   if (!cut && box.empty()) return false;
-  const Grid& grid = volume.grid();
-  const Vec3 corner = brick_corner(grid, at);
-  if (cut) {
-    low = corner - 0.2 * grid.voxel_mm;
-    high = corner + 8.2 * grid.voxel_mm;
-    return true;
-  }
-  low = corner + grid.voxel_mm * box.low();
-  high = corner + grid.voxel_mm * box.high();
+  const Vec3 corner = brick_corner(volume.grid(), at);
+  low = corner + voxel_mm_ * (cut ? Vec3(-0.2) : box.low());
+  high = corner + voxel_mm_ * (cut ? Vec3(8.2) : box.high());
   return true;
 }
 
@@ -107,7 +101,6 @@ void SurfaceContact::ball_bricks(const Volume& volume, Vec3 centre, double reach
       const int row = specimen.brick_index({0, y, z});
       for (int x = low.x; x <= high.x; ++x) {
         const int brick = row + x;
-        if (boxes_[static_cast<std::size_t>(brick)].empty() && !volume.has_cut(brick)) continue;
         if (zy2 + off2(0, x) > reach2) continue;
         Vec3 a, b;
         if (!points_box(volume, brick, {x, y, z}, a, b)) continue;
@@ -144,7 +137,6 @@ void SurfaceContact::bricks_within(const Volume& volume, Vec3 axis, Vec3 centre,
     for (int y = low.y; y <= high.y; ++y) {
       const int row = specimen.brick_index({0, y, z});
       for (int x = low.x; x <= high.x; ++x) {
-        if (boxes_[static_cast<std::size_t>(row + x)].empty() && !volume.has_cut(row + x)) continue;
         Vec3 a, b;
         if (!points_box(volume, row + x, {x, y, z}, a, b)) continue;
         const Vec3 middle = 0.5 * (a + b) - centre, half = 0.5 * (b - a);
