@@ -116,21 +116,13 @@ Tissue SurfaceContact::tissue_under(const Volume& volume, Vec3 place, Vec3 outwa
 }
 
 void SurfaceContact::note(const PlaneSearch& found, const Polished& polished, Contact& out) const noexcept {
-  out.active = found.active;
-  for (int a = 0; a < found.active; ++a) {
+  const PlaneSearch& held = polished.accepted ? polished.search : found;
+  out.active = held.active;
+  for (int a = 0; a < held.active; ++a) {
     const auto i = static_cast<std::size_t>(found.index[a]);
-    const Candidate& c = candidates_[static_cast<std::size_t>(origins_[i].candidate)];
-    out.normal[a] = planes_.n(i);
-    out.weight[a] = found.weight[a];
-    out.tissue[a] = c.tissue;
-    out.of_shank[a] = c.kind == Kind::shank;
-  }
-  if (!polished.accepted) return;
-  out.active = polished.search.active;
-  for (int a = 0; a < out.active; ++a) {
-    out.normal[a] = polished.normal[a];
-    out.weight[a] = polished.search.weight[a];
-    const Candidate& c = candidates_[static_cast<std::size_t>(polished.candidate[a])];
+    const Candidate& c = candidates_[static_cast<std::size_t>(polished.accepted ? polished.candidate[a] : origins_[i].candidate)];
+    out.normal[a] = polished.accepted ? polished.normal[a] : planes_.n(i);
+    out.weight[a] = held.weight[a];
     out.tissue[a] = c.tissue;
     out.of_shank[a] = c.kind == Kind::shank;
   }
@@ -149,14 +141,10 @@ Contact SurfaceContact::follow(const Volume& volume, const Scene& scene, std::ui
   const Bur& bur = scene.burs[bur_index];
   Contact out;
   out.pose_mm = device;
-  if (free_.valid && free_.bur == bur_index && free_.axis == axis && free_.contains(from) && free_.contains(device)) {
-    ++answered_free_;
-    return out;
-  }
   const Tool tool = tool_of(bur, axis, bur_index);
   if (free_.valid && free_.bur == bur_index && free_.axis == axis && free_.contains(from)) {
-    // It leaves the known free space: there may be more.
-    find_free(volume, tool, from);
+    // Where it leaves the known free space there may be more.
+    if (!free_.contains(device)) find_free(volume, tool, from);
     if (free_.valid && free_.contains(device)) {
       ++answered_free_;
       return out;
