@@ -233,7 +233,6 @@ class SurfaceContact {
   void gather_shank(const Volume& volume, const Tool& tool, Vec3 centre, double reach) noexcept;
   template <class Visit>
   void ball_bricks(const Volume& volume, Vec3 centre, double reach, Visit&& visit) const noexcept;
-  void add(const Candidate& candidate, const CutFeature* own) noexcept;
   bool plane_of_shank(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane) const noexcept;
   /// Where a head stands on a surface: from the pivot; and the direction that holds it off there.
   struct HeadFoot {

@@ -16,21 +16,6 @@ constexpr double kRimReach = 1.0;
 
 }  // namespace
 
-void SurfaceContact::add(const Candidate& candidate, const CutFeature* own) noexcept {
-  if (count_ == candidates_.size()) {
-    overflow_ = true;
-    return;
-  }
-  known_[count_] = Known::other;
-  Candidate& out = candidates_[count_];
-  out = candidate;
-  if (own != nullptr) {
-    features_[count_] = *own;
-    out.feature = &features_[count_];
-  }
-  ++count_;
-}
-
 /// A candidate that is only made when a search comes near it. x, y, z: voxels from where it is gathered.
 void SurfaceContact::add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
                                 const CutSurface::Page* page, Kind kind) noexcept {
@@ -203,13 +188,11 @@ void SurfaceContact::gather_shank(const Volume& volume, const Tool& tool, Vec3 c
 
 /// Brings what a search of one step from `centre` may touch to hand: a little more than that, for the next few.
 void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre, double step, double most_margin_mm) noexcept {
-  const auto reaches = [&](const Gathered& g) {
-    const Vec3 off = centre - g.centre;
-    const double left = g.margin_mm - step;
-    return g.valid && g.revision == cut_.revision() && g.bur == tool.index && g.axis == tool.axis && left >= 0.0 &&
-           glm::dot(off, off) <= left * left;
-  };
-  if (!reaches(gathered_)) {
+  const Gathered& g = gathered_;
+  const Vec3 off = centre - g.centre;
+  const double left = g.margin_mm - step;
+  if (!(g.valid && g.revision == cut_.revision() && g.bur == tool.index && g.axis == tool.axis && left >= 0.0 &&
+        glm::dot(off, off) <= left * left)) {
     // While the bur cuts it serves until the next piece is carved, while edges are found or the axis turns until the next tick.
     const double steps = all_resolved_ && gathered_.axis == tool.axis ? kStepsAhead : kStepsMeanwhile;
     const double margin = step + std::min(most_margin_mm, std::max(kLeastMargin, steps * step));
@@ -259,7 +242,14 @@ void SurfaceContact::foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec
       own.other_normal = Vec3f(other.normal);
     }
     candidate.tissue = tissue_under(volume, candidate.point, at.normal);
-    add(candidate, &own);
+    if (count_ == candidates_.size()) {
+      overflow_ = true;
+      return;
+    }
+    known_[count_] = Known::other;
+    features_[count_] = own;
+    candidate.feature = &features_[count_];
+    candidates_[count_++] = candidate;
   }
 }
 
