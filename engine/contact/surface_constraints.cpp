@@ -223,7 +223,7 @@ std::size_t SurfaceContact::add_ball_constraints(const Volume& volume, const Too
 std::size_t SurfaceContact::add_head_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at,
                                                  double slack_mm) noexcept {
   // A rim stands on the plane of a point that is beside it.
-  const double beside = std::max(kPlaneReach * voxel_mm_, kHalfEdge * voxel_mm_);
+  const double beside = kPlaneReach * voxel_mm_;
   HeadBand band(tool.bur->head, tool.axis, slack_mm, beside, 1.0 / voxel_mm_);
   band.at = Vec3f((at - gathered_.centre) / voxel_mm_);
   const double far = step + beside;

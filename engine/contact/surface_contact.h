@@ -122,6 +122,7 @@ class SurfaceContact {
   static constexpr double kTangentsHoldMm = 1e-3;  // after a smaller move constraints are good to 2 nm
   static constexpr double kLongestStep = 0.08;      // mm: longest reach of one search
   static constexpr double kPlaneReach = 0.8;        // voxels beside its point within which a plane stands for the surface
+  static_assert(kPlaneReach >= kHalfEdge, "a head that is gathered for planes has its edges too");
   static constexpr std::uint16_t kNoBur = 0xffff;  // of a ball that no scene names
   static constexpr double kLeavesTangent = 0.25;    // voxels that a cell's edge leaves its tangent by at most
   static constexpr double kEdgeClose = 1e-4;        // voxels: leaves its distance off by 1e-8, the normal by 2e-6 degrees

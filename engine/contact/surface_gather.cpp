@@ -121,8 +121,6 @@ void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 ce
 }
 
 void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm) noexcept {
-  // An edge holds 0.7 voxel either way along its tangent.
-  const double edge_mm = kHalfEdge * voxel_mm_;
   edges_ = false;
   insides_.clear();
   const double per_mm = 1.0 / voxel_mm_;
@@ -133,9 +131,9 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
     return CellsNear::cylinders(shank);
   };
   if (!tool.ball()) {
-    const Reach reach = head_within(tool, margin_mm + std::max(edge_mm, kPlaneReach * voxel_mm_));
-    HeadBand band(tool.bur->head, tool.axis, margin_mm, std::max(edge_mm, kPlaneReach * voxel_mm_), per_mm);
-    bricks_within(volume, tool.axis, centre, reach, [&](int brick, IVec3 at, const TwoCylinders& shape) {
+    const double beside_mm = kPlaneReach * voxel_mm_;
+    HeadBand band(tool.bur->head, tool.axis, margin_mm, beside_mm, per_mm);
+    bricks_within(volume, tool.axis, centre, head_within(tool, margin_mm + beside_mm), [&](int brick, IVec3 at, const TwoCylinders& shape) {
       gather_from(volume, tool, centre, brick, at, ToolPart::head, [&](Vec3f local) { return CellsNear::cylinders(shape) | shank_cells(local); },
                   [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool, auto&& pass) {
                     band.at = local;
@@ -145,7 +143,8 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
     return;
   }
   const double reach = tool.bur->radius_mm + margin_mm;
-  const double edge_reach = reach + edge_mm;
+  // An edge holds 0.7 voxel either way along its tangent.
+  const double edge_reach = reach + kHalfEdge * voxel_mm_;
   ball_bricks(volume, centre, edge_reach, [&](int brick, IVec3 at, double) {
     gather_from(volume, tool, centre, brick, at, ToolPart::head,
                 [&](Vec3f local) {
