@@ -81,7 +81,7 @@ int CavityWalls::sides_at(const Volume& volume, const Descent& d, Side* out) noe
 /// The move nearest to the wanted one after which no side's void holds the place.
 PlaneSearch CavityWalls::nearest_under(const Side* side, int sides, Vec3 wanted) noexcept {
   Plane plane[Descent::kMostRuns + 1];
-  for (int k = 0; k < sides; ++k) plane[k] = {-side[k].inwards, side[k].depth_mm, k};
+  for (int k = 0; k < sides; ++k) plane[k] = {-side[k].inwards, side[k].depth_mm};
   return closest_point(wanted, {plane, static_cast<std::size_t>(sides)}, 1e-9);
 }
 

@@ -3,7 +3,6 @@
 /// Wait-free, bounded; ties go to the lowest index. Units as given (mm). Thread: haptic.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -15,7 +14,6 @@ namespace cusp::engine {
 struct Plane {
   Vec3 n{0.0};           // unit, out of the tissue
   double c = 0.0;        // n . y >= c is admissible
-  std::int32_t from = 0; // candidate that it stands for
 };
 
 struct PlaneSearch {

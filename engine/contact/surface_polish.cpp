@@ -101,7 +101,6 @@ bool SurfaceContact::correct(const Volume& volume, const Tool& tool, Vec3 at, To
       plane.n = foot.deepest ? field.normal : foot.normal;
       plane.c = glm::dot(plane.n, at) - field.d_mm / glm::dot(field.normal, plane.n);
     }
-    plane.from = s.candidate;
   }
   return true;
 }
@@ -151,7 +150,7 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, const Tool
   out.search = search;
   for (int a = 0; a < search.active; ++a) {
     out.normal[a] = t.corrected[search.index[a]].n;
-    out.candidate[a] = t.corrected[search.index[a]].from;
+    out.candidate[a] = t.surface[search.index[a]].candidate;
   }
   return out;
 }

@@ -189,7 +189,7 @@ TEST(PlaneSearch, agrees_with_brute_force_over_all_triples) {
     for (int i = 0; i < 9; ++i) {
       Vec3 n(random(), random(), random() + 1.1);
       n = n / length(n);
-      planes.push_back({n, 0.3 * random(), i});
+      planes.push_back({n, 0.3 * random()});
     }
     const Vec3 q(random(), random(), -1.0);
     const auto feasible = [&planes](Vec3 y) {
@@ -236,7 +236,7 @@ TEST(PlaneSearch, bears_planes_that_all_but_coincide) {
     PlaneSet set(8);
     for (int i = 0; i < 5 + round % 3; ++i) {
       const Vec3 n(spread * random(), spread * random(), 1.0);
-      planes.push_back({n / length(n), 1e-5 * random(), i});
+      planes.push_back({n / length(n), 1e-5 * random()});
       set.add(planes.back().n, planes.back().c);
     }
     const Vec3 q(0.1 * random(), 0.1 * random(), -0.3);
@@ -271,7 +271,7 @@ TEST(PlaneSearch, finds_the_same_point_sooner_from_planes_thought_to_hold) {
 }
 
 TEST(PlaneSearch, says_when_planes_contradict_each_other) {
-  const Plane planes[] = {{Vec3(0, 0, 1), 1.0, 0}, {Vec3(0, 0, -1), 1.0, 1}};
+  const Plane planes[] = {{Vec3(0, 0, 1), 1.0}, {Vec3(0, 0, -1), 1.0}};
   EXPECT_FALSE(closest_point(Vec3(0.0), planes, 1e-9).feasible);
 }
 
