@@ -21,31 +21,30 @@ inline void SurfaceContact::add_constraint(std::size_t i, const Constraint& cons
   origins_[k] = {static_cast<std::int32_t>(i), constraint.trusted, false};
   near_[k] = static_cast<std::int32_t>(i);
   low_[k] = constraint.low_mm;
-  planes_.add(constraint.normal, constraint.level);
+  planes_.add(constraint.plane.n, constraint.plane.c);
 }
 
 /// Adds the constraint of one candidate.
 inline void SurfaceContact::constrain(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept {
   const Candidate& c = candidates_[i];
-  Plane plane;
-  bool trusted = false;
-  if (!plane_of(tool, c, at, slack_mm, plane, trusted)) return;
-  double low = glm::dot(plane.n, at) - plane.c;
+  Constraint found = plane_of(tool, c, at, slack_mm);
+  if (!found.near) return;
+  found.low_mm = glm::dot(found.plane.n, at) - found.plane.c;
   if (c.kind == Kind::surface) {
     // A ball may come under its plane a little further on.
     const double height = glm::dot(c.normal, at) - c.level;
-    if (height > 0.0) low = std::min(low, height - (tool.bur->radius_mm - tool.thin(c.field)));
+    if (height > 0.0) found.low_mm = std::min(found.low_mm, height - (tool.bur->radius_mm - tool.thin(c.field)));
   }
-  add_constraint(i, {plane.n, plane.c, trusted, low});
+  add_constraint(i, found);
   near_cut_ = near_cut_ || (c.kind != Kind::shank && (c.field == Field::cut || c.kind == Kind::edge));
 }
 
 /// As constrain(), for a head that is no ball. `place`: the candidate's point by the head at `at`.
 inline void SurfaceContact::constrain_head(const Tool& tool, std::size_t i, const ByHead& place, Vec3 at, double slack_mm) noexcept {
   const Candidate& c = candidates_[i];
-  const HeadPlane found = plane_of_head(tool, c, place, at, slack_mm);
+  const Constraint found = plane_of_head(tool, c, place, at, slack_mm);
   if (!found.near) return;
-  add_constraint(i, {found.plane.n, found.plane.c, found.trusted, found.low_mm});
+  add_constraint(i, found);
   near_cut_ = near_cut_ || c.field == Field::cut || c.kind == Kind::edge;
 }
 
@@ -80,7 +79,7 @@ inline void SurfaceContact::add_face_constraints(Vec3 centre, double reach2, Vec
     for (std::size_t k = 0; k < 2 && j + k < broad_faces_.count; ++k) {
       if ((kept >> k & 1) == 0) continue;
       const std::size_t i = broad_faces_[j + k];
-      add_constraint(i, {{px[k], py[k], pz[k]}, c[k], (trusted >> k & 1) != 0, low[k]});
+      add_constraint(i, {{{px[k], py[k], pz[k]}, c[k]}, true, (trusted >> k & 1) != 0, low[k]});
       near_cut_ = near_cut_ || known_[i] == Known::cut_face;
     }
   }
@@ -180,7 +179,7 @@ inline void SurfaceContact::add_edge_constraints(const Tool& tool, Vec3 centre, 
     const Pair c = nx * at.x + ny * at.y + nz * at.z - gap;
     for (std::size_t k = 0; k < 2; ++k) {
       if ((kept >> k & 1) == 0) continue;
-      add_constraint(broad_edges_[j + k], {{nx[k], ny[k], nz[k]}, c[k], false, gap[k]});
+      add_constraint(broad_edges_[j + k], {{{nx[k], ny[k], nz[k]}, c[k]}, true, false, gap[k]});
       near_cut_ = true;
     }
   }
@@ -297,12 +296,11 @@ bool SurfaceContact::rebuild_constraints(const Tool& tool, Vec3 at, double slack
   int looked = 0;
   for (std::size_t k = 0; k < built_.count; ++k) {
     if (low_[k] > within) continue;
-    Plane plane;
-    bool trusted = false;
     ++looked;
-    if (!plane_of(tool, candidates_[static_cast<std::size_t>(near_[k])], at, slack_mm, plane, trusted)) continue;
-    origins_[planes_.size()] = {near_[k], trusted, false};
-    planes_.add(plane.n, plane.c);
+    const Constraint found = plane_of(tool, candidates_[static_cast<std::size_t>(near_[k])], at, slack_mm);
+    if (!found.near) continue;
+    origins_[planes_.size()] = {near_[k], found.trusted, false};
+    planes_.add(found.plane.n, found.plane.c);
   }
   candidates_left_ -= looked * (tool.ball() ? 1 : kHeadCandidate);
   return true;

@@ -234,24 +234,25 @@ class SurfaceContact {
   void gather_shank(const Volume& volume, const Tool& tool, Vec3 centre, double reach) noexcept;
   template <class Visit>
   void ball_bricks(const Volume& volume, Vec3 centre, double reach, Visit&& visit) const noexcept;
-  bool plane_of_shank(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane) const noexcept;
+  /// What keeps the bur off one candidate.
+  struct Constraint {
+    Plane plane;
+    bool near = false;     // it is within the slack
+    bool trusted = false;  // it does not turn with the bur
+    double low_mm = 0.0;   // less the bur's way, a bound of its distance from below; of a ball and a shank constrain() sets it
+  };
+  static Constraint tangent_of(Vec3 off, Vec3 y, double r, double slack_mm) noexcept;
+  Constraint plane_of_shank(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm) const noexcept;
   /// Where a head stands on a surface: from the pivot; and the direction that holds it off there.
   struct HeadFoot {
     Vec3 at{0.0}, normal{0.0};
     bool deepest = true;  // no place of the head stands deeper over the surface's plane
     double over = 0.0;    // mm: how high the deepest one stands over it
   };
-  /// A head's constraint.
-  struct HeadPlane {
-    Plane plane;
-    bool near = false;     // it is within the slack
-    bool trusted = false;  // it does not turn with the head
-    double low_mm = 0.0;   // less the head's way, a bound of its distance from below
-  };
   bool near_rim(const Tool& tool, Vec3 from_pivot) const noexcept;
   HeadFoot head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot, const ByHead& point, double beside2) const noexcept;
-  HeadPlane plane_of_head(const Tool& tool, const Candidate& c, const ByHead& place, Vec3 y, double slack_mm) const noexcept;
-  bool plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
+  Constraint plane_of_head(const Tool& tool, const Candidate& c, const ByHead& place, Vec3 y, double slack_mm) const noexcept;
+  Constraint plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm) const noexcept;
   void add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
                   const CutSurface::Page* page, Kind kind) noexcept;
   void make(const Volume& volume, const Tool& tool, std::size_t i) noexcept;
@@ -266,7 +267,6 @@ class SurfaceContact {
   void add_face_constraints(Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
   void constrain(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept;
   void constrain_head(const Tool& tool, std::size_t i, const ByHead& place, Vec3 at, double slack_mm) noexcept;
-  struct Constraint { Vec3 normal; double level; bool trusted; double low_mm; };
   void add_constraint(std::size_t i, const Constraint& constraint) noexcept;
   CellsNear cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm) const noexcept;
   bool raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept;
@@ -276,7 +276,7 @@ class SurfaceContact {
   void find_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept;
   void foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 device) noexcept;
   void planes(const Tool& tool, Vec3 y, std::size_t from, std::size_t to, double slack_mm) noexcept;
-  bool plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
+  Constraint plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm) const noexcept;
   void find_past(const Tool& tool, Vec3 at) noexcept;
   void relax_by_past(std::size_t from, std::size_t to) noexcept;
   static bool nearest_on(const Candidate& edge, double voxel_mm, double far_mm, Vec3& off, Vec3& along, double& curved) noexcept;

@@ -105,14 +105,25 @@ bool SurfaceContact::nearest_on(const Candidate& edge, double voxel_mm, double f
   return t > from && t < to;
 }
 
-/// The plane of a point of a surface, seen from y; false where it is further than slack_mm off.
-inline bool SurfaceContact::plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm, Plane& plane,
-                                             bool& trusted) const noexcept {
+/// Of a ball at y, `off` away from what it touches.
+SurfaceContact::Constraint SurfaceContact::tangent_of(Vec3 off, Vec3 y, double r, double slack_mm) noexcept {
+  Constraint out;
+  const double square = glm::dot(off, off), far = r + slack_mm;
+  if (square > far * far || square < 1e-18) return out;
+  const double distance = std::sqrt(square);
+  out.near = true;
+  out.plane.n = off / distance;
+  out.plane.c = glm::dot(out.plane.n, y) - (distance - r);
+  return out;
+}
+
+/// The plane of a point of a surface, seen from y.
+inline SurfaceContact::Constraint SurfaceContact::plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm) const noexcept {
   const double beside = kPlaneReach * voxel_mm_;
   const double far = r + slack_mm;
   const Vec3 d = y - c.point;
   const double square = glm::dot(d, d);
-  if (square > far * far + beside * beside) return false;
+  if (square > far * far + beside * beside) return {};
   const double height = glm::dot(c.normal, y) - c.level;
   if (height > 0.0 && square - height * height <= beside * beside) {
     // While the bur cuts, its own scratch is a lens, whose side turns up again within the plane's reach.
@@ -123,23 +134,16 @@ inline bool SurfaceContact::plane_of_surface(double r, const Candidate& c, Vec3 
     const bool beyond = c.others > 0 && (past(Vec3(c.feature->other_normal), c.feature->other_d_mm) ||
                                          (c.others > 1 && past(Vec3(c.feature->third_normal), c.feature->third_d_mm)));
     if (!beyond) {
-      if (height > far) return false;
-      plane.n = c.normal;
-      plane.c = c.level + r;
-      trusted = true;
-      return true;
+      if (height > far) return {};
+      return {{c.normal, c.level + r}, true, true};
     }
   }
-  trusted = false;
-  if (square > far * far || square < 1e-18) return false;
-  const double distance = std::sqrt(square);
-  plane.n = d / distance;
-  plane.c = glm::dot(plane.n, y) - (distance - r);
-  return true;
+  return tangent_of(d, y, r, slack_mm);
 }
 
 /// The neck's and the shank's: capsules along the axis; the nearer of the two holds the point off.
-bool SurfaceContact::plane_of_shank(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane) const noexcept {
+SurfaceContact::Constraint SurfaceContact::plane_of_shank(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm) const noexcept {
+  Constraint out;
   const Bur& bur = *tool.bur;
   const double along = glm::dot(c.point - y, tool.axis);
   bool any = false;
@@ -156,11 +160,11 @@ bool SurfaceContact::plane_of_shank(const Tool& tool, const Candidate& c, Vec3 y
     if (any && gap >= best) continue;
     any = true;
     best = gap;
-    plane.n = d / distance;
+    out.plane.n = d / distance;
   }
-  if (!any || best > slack_mm) return false;
-  plane.c = glm::dot(plane.n, y) - best;
-  return true;
+  out.near = any && best <= slack_mm;
+  out.plane.c = glm::dot(out.plane.n, y) - best;
+  return out;
 }
 
 /// Of a head that is no ball: its place that stands deepest over the plane of a point of a surface, if the plane is to be
@@ -210,10 +214,10 @@ SurfaceContact::HeadFoot SurfaceContact::head_foot(const Tool& tool, Vec3 normal
 }
 
 /// As plane_of, for a head that is no ball. `place`: the candidate's point by the head at y.
-SurfaceContact::HeadPlane SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, const ByHead& place, Vec3 y,
-                                                        double slack_mm) const noexcept {
+SurfaceContact::Constraint SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, const ByHead& place, Vec3 y,
+                                                         double slack_mm) const noexcept {
   const double thin = tool.thin(c.field);
-  HeadPlane out;
+  Constraint out;
   double gap = place.distance + thin;
   out.low_mm = gap;
   Vec3 gradient;
@@ -260,54 +264,35 @@ SurfaceContact::HeadPlane SurfaceContact::plane_of_head(const Tool& tool, const 
   return out;
 }
 
-/// The plane that keeps the bur off one candidate, seen from y; false where it is further than slack_mm off.
-bool SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane,
-                              bool& trusted) const noexcept {
-  if (c.kind == Kind::shank) {
-    trusted = false;
-    return plane_of_shank(tool, c, y, slack_mm, plane);
-  }
-  if (!tool.ball()) {
-    const HeadPlane found = plane_of_head(tool, c, by_head(*tool.bur, tool.axis, c.point - y), y, slack_mm);
-    plane = found.plane;
-    trusted = found.trusted;
-    return found.near;
-  }
+/// The plane that keeps the bur off one candidate, seen from y.
+SurfaceContact::Constraint SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm) const noexcept {
+  if (c.kind == Kind::shank) return plane_of_shank(tool, c, y, slack_mm);
+  if (!tool.ball()) return plane_of_head(tool, c, by_head(*tool.bur, tool.axis, c.point - y), y, slack_mm);
   const double r = tool.bur->radius_mm - tool.thin(c.field);
-  if (c.kind == Kind::surface) return plane_of_surface(r, c, y, slack_mm, plane, trusted);
-  trusted = false;
+  if (c.kind == Kind::surface) return plane_of_surface(r, c, y, slack_mm);
   Vec3 d = y - c.point, along;
   double curved = 0.0;
   nearest_on(c, voxel_mm_, r + slack_mm, d, along, curved);
-  const double square = glm::dot(d, d);
-  const double far = r + slack_mm;
-  if (square > far * far || square < 1e-18) return false;
-  const double distance = std::sqrt(square);
-  plane.n = d / distance;
-  plane.c = glm::dot(plane.n, y) - (distance - r);
-  return true;
+  return tangent_of(d, y, r, slack_mm);
 }
 
 /// Planes of candidates from..to - 1, added to those that are there.
 void SurfaceContact::planes(const Tool& tool, Vec3 y, std::size_t from, std::size_t to, double slack_mm) noexcept {
   for (std::size_t i = from; i < to; ++i) {
-    Plane plane;
-    bool trusted = false;
-    if (!plane_of(tool, candidates_[i], y, slack_mm, plane, trusted)) continue;
-    origins_[planes_.size()] = {static_cast<std::int32_t>(i), trusted, false};
-    planes_.add(plane.n, plane.c);
+    const Constraint found = plane_of(tool, candidates_[i], y, slack_mm);
+    if (!found.near) continue;
+    origins_[planes_.size()] = {static_cast<std::int32_t>(i), found.trusted, false};
+    planes_.add(found.plane.n, found.plane.c);
   }
 }
 
 /// A tangent follows its pose; planes of the field and of the foot stay.
 void SurfaceContact::turn(const Tool& tool, Vec3 y, std::size_t i) noexcept {
   if (origins_[i].trusted_plane) return;
-  Plane plane;
-  bool trusted = false;
-  const Candidate& c = candidates_[static_cast<std::size_t>(origins_[i].candidate)];
-  if (!plane_of(tool, c, y, 1.0, plane, trusted)) return;
-  planes_.set(i, plane.n, plane.c);
-  origins_[i].trusted_plane = trusted;
+  const Constraint found = plane_of(tool, candidates_[static_cast<std::size_t>(origins_[i].candidate)], y, 1.0);
+  if (!found.near) return;
+  planes_.set(i, found.plane.n, found.plane.c);
+  origins_[i].trusted_plane = found.trusted;
   relax_by_past(i, i + 1);
 }
 
