@@ -23,7 +23,7 @@ constexpr double kFarVoxels = 5.0;         // a feature lies no further from its
 constexpr double kLeastCurved = 0.05;      // below, a ridge is bent about the ball's centre
 constexpr double kInVoidMm = 1e-3;         // a place deeper in the void is none of what is left
 constexpr double kGoneMm = 1e9;            // where no ball reaches
-constexpr std::int64_t kDescentWork = 16;  // units of 25 ns
+constexpr int kDescentWork = 16;  // units of 25 ns
 
 /// I - n n^T.
 glm::dmat3 across(Vec3 n) noexcept { return glm::dmat3(1.0) - glm::outerProduct(n, n); }
@@ -91,7 +91,7 @@ bool CavityWalls::settle(const Volume& volume, const Cutting& cutting, Vec3 at, 
   Descent d;
   d.x = x;
   for (int pass = 0; pass < kSettlePasses; ++pass) {
-    visited_ += kDescentWork;
+    work_ += kDescentWork;
     if (!add_runs(volume, cutting, d)) return false;
     Side side[Descent::kMostRuns + 1];
     const PlaneSearch found = nearest_under(side, sides_at(volume, d, side), at - d.x);
@@ -185,7 +185,7 @@ double CavityWalls::most_gain(const Ball& ball, const Descent& d, Vec3 step) con
 bool CavityWalls::to_surface(const Volume& volume, const Ball& ball, const Cutting& cutting, Descent& d) noexcept {
   constexpr int kMost = 3;
   for (int pass = 0; pass < kMost; ++pass) {
-    visited_ += kDescentWork;
+    work_ += kDescentWork;
     if (!add_runs(volume, cutting, d)) return false;
     d.sides = sides_at(volume, d, d.all);
     Vec3 to = ball.at - d.x;

@@ -15,7 +15,7 @@ constexpr double kPlaceFarMm = 0.01;    // the field may be off by as much: a pl
 constexpr double kMiddleOff = 0.75;
 constexpr int kPlacePasses = 2;
 constexpr double kRidgeMm = 5e-4;  // a ridge that is higher over the line between two places is looked for
-constexpr std::int64_t kSampleWork = 1, kPlaceWork = 5;  // units of 25 ns
+constexpr int kSampleWork = 1, kPlaceWork = 5;  // units of 25 ns
 
 }  // namespace
 
@@ -78,7 +78,7 @@ bool CavityWalls::sample_at(const Volume& volume, std::int32_t end, Vec3 at) noe
   double curved = 0.0;
   bool met = false;
   for (int pass = 0; pass < kPlacePasses && !met; ++pass) {
-    visited_ += kPlaceWork;
+    work_ += kPlaceWork;
     const SweptRuns& runs = void_.runs_at(volume, x, end);
     if (!runs.known) return false;
     const Sweeps::Deepest deep = sweeps_.deepest({runs.run, static_cast<std::size_t>(runs.count)}, x);
@@ -138,9 +138,9 @@ void CavityWalls::sample(const Volume& volume, std::int32_t end) noexcept {
   const double far = sampled_.reach_mm + SweptVoid::kOffMm, middle_far = far + kMiddleOff * ball.radius_mm / side;
   for (std::size_t k = 0; k < directions.fours.size(); ++k) {
     const BallDirections::Four& four = directions.fours[k];
-    visited_ += kSampleWork;
+    work_ += kSampleWork;
     if (void_.about_mm(volume, ball.at + ball.radius_mm * four.middle) > middle_far) continue;
-    visited_ += 4 * kSampleWork;
+    work_ += 4 * kSampleWork;
     for (std::size_t q = 0; q < 4; ++q) {
       const Vec3 d = four.of[q], at = ball.at + ball.radius_mm * d;
       const double about = void_.about_mm(volume, at);
@@ -271,10 +271,10 @@ void CavityWalls::look(const Volume& volume, const Ball& ball, const Cutting& cu
     places_made_ = false;
   }
   if (places_made_) return;
-  const std::int64_t before = visited_;
+  const int before = work_;
   sample(volume, cutting.end);
   // Places that a discarded cache held were counted when they were looked for.
-  if (!further) visited_ = before;
+  if (!further) work_ = before;
 }
 
 bool CavityWalls::near(const Volume& volume, const Ball& ball, const Cutting& cutting) noexcept {
@@ -288,7 +288,7 @@ void CavityWalls::build(const Volume& volume, const Ball& ball, const Cutting& c
   find_past(volume, ball, cutting);
   for (std::size_t i = 0; i < feature_count_; ++i) add_feature(ball, cutting, i);
   for (std::size_t i = 0; i < place_count_; ++i) add_place(ball, cutting, static_cast<std::int32_t>(i));
-  visited_ += static_cast<std::int64_t>(place_count_ / 4);
+  work_ += static_cast<int>(place_count_ / 4);
 }
 
 }  // namespace cusp::engine

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/contact/ball_directions.h"
@@ -102,8 +103,8 @@ class CavityWalls {
   };
   Found found() const noexcept;
   void set_found(const Found& found) noexcept;
-  /// Work of all builds, in units of 25 ns: for budgets.
-  std::int64_t visited() const noexcept { return visited_; }
+  /// Work since the last call, in units of 25 ns: for budgets.
+  int take_work() noexcept { return std::exchange(work_, 0); }
 
  private:
   static constexpr std::size_t kMostFeatures = 48;
@@ -200,7 +201,7 @@ class CavityWalls {
   std::int32_t past_sweep_[kMostPast / 2];
   Sweep past_way_[kMostPast / 2];  // of past_sweep_
   int past_sweeps_ = 0;
-  std::int64_t visited_ = 0;
+  int work_ = 0;
 };
 
 }  // namespace cusp::engine

@@ -14,7 +14,7 @@ constexpr int kMostAlong = 64;        // sweeps that the ball passes in a tick
 constexpr int kHops = 8;              // owners of walls that are tried
 constexpr double kAtDeviceMm = 1e-6;  // a ball so near to the device is pulled nowhere
 constexpr double kOtherWayMm = 0.05;  // another owner lies no further along the way
-constexpr std::int64_t kHopWork = 16; // units of 25 ns
+constexpr int kHopWork = 16; // units of 25 ns
 
 }  // namespace
 
@@ -58,13 +58,13 @@ CavityWalls::Held CavityWalls::held_by_sweep(const Volume& volume, const Ball& b
   const Vec3 front = ball.at + way * (ball.radius_mm / far);
   const SweptRuns& first = void_.runs_at(volume, front, cutting.end);
   if (!first.known) return out;
-  visited_ += kHopWork;
+  work_ += kHopWork;
   std::int32_t sweep = deepest(first, cutting, front).sweep;
   if (sweep == Sweeps::kNone) return out;
   sweep = holder(ball, sweep, cutting);
   if (sweep == Sweeps::kNone || !along_way(ball, device, sweep)) return out;
   for (int hop = 0; hop < kHops; ++hop) {
-    visited_ += kHopWork;
+    work_ += kHopWork;
     const Sweep s = sweeps_[sweep];
     const double room = s.radius_mm - ball.radius_mm;
     const Vec3 on = s.nearest_on(device), off = device - on;

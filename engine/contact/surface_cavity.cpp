@@ -97,9 +97,8 @@ glm::dmat3 SurfaceContact::bend_of(const PlaneSearch& found, Vec3 at) const noex
 
 /// Adds the constraints of a ball in what balls have cut. An origin below 0 is one of walls_.
 void SurfaceContact::add_cavity(const Volume& volume, const Tool& tool, Vec3 at, double slack_mm) noexcept {
-  const std::int64_t before = walls_.visited();
   walls_.build(volume, {at, tool.bur->radius_mm - tool.thin_cut, slack_mm}, cutting_);
-  candidates_left_ -= static_cast<int>(walls_.visited() - before);
+  candidates_left_ -= walls_.take_work();
   std::int32_t i = -1;
   for (const CavityConstraint& c : walls_.constraints()) {
     if (planes_.size() == candidates_.size()) {
@@ -201,16 +200,14 @@ void SurfaceContact::note_in_cavity(const Volume& volume, const PlaneSearch& fou
 
 /// True if a ball at `from` comes near what balls have cut within a step.
 bool SurfaceContact::near_cavity(const Volume& volume, const Tool& tool, Vec3 from, double step) noexcept {
-  const std::int64_t before = walls_.visited();
   const bool near = walls_.near(volume, {from, tool.bur->radius_mm - tool.thin_cut, step + kNearCavityMm}, cutting_);
-  candidates_left_ -= static_cast<int>(walls_.visited() - before);
+  candidates_left_ -= walls_.take_work();
   return near;
 }
 
 /// Goes from the places that hold the ball to the features that they are of. True if the ball at `at` enters one.
 bool SurfaceContact::refine_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, const PlaneSearch& found,
                                       CavityWalls::Jump jump, int steps) noexcept {
-  const std::int64_t before = walls_.visited();
   bool enters = false;
   for (int a = 0; a < found.active; ++a) {
     const std::int32_t candidate = origins_[static_cast<std::size_t>(found.index[a])].candidate;
@@ -219,7 +216,7 @@ bool SurfaceContact::refine_in_cavity(const Volume& volume, const Tool& tool, Ve
     const double slack = walls_.refine(volume, {at, tool.bur->radius_mm - tool.thin_cut, 0.0}, cutting_, i, jump, steps);
     enters = enters || slack < -kEntersMm;
   }
-  candidates_left_ -= static_cast<int>(walls_.visited() - before);
+  candidates_left_ -= walls_.take_work();
   return enters;
 }
 
