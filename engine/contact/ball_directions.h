@@ -1,4 +1,5 @@
-/// Directions about a ball, spread evenly, and which of them are neighbours. Thread: of() any, not in a tick.
+/// Directions about a ball, spread evenly, and which of them are neighbours. Thread: any.
+/// The first of() takes the memory, at the construction of CavityWalls; later ones are wait-free.
 #pragma once
 
 #include <cstdint>

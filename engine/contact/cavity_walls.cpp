@@ -26,9 +26,7 @@ CavityWalls::CavityWalls(const Volume& volume, const Sweeps& sweeps)
       places_(4 * BallDirections::of(BallDirections::kMostSide).fours.size() + kMostBetween),
       place_at_(places_.size()),
       features_(kMostFeatures),
-      constraints_(places_.size() + kMostFeatures) {
-  for (int side = BallDirections::kLeastSide; side <= BallDirections::kMostSide; ++side) directions_[side] = &BallDirections::of(side);
-}
+      constraints_(places_.size() + kMostFeatures) {}
 
 double CavityWalls::room_mm(const Ball& ball) const noexcept {
   if (sampled_.reach_mm < 0.0) return -1.0;
@@ -133,7 +131,7 @@ void CavityWalls::sample(const Volume& volume, std::int32_t end) noexcept {
   places_made_ = true;
   const int side = std::clamp(static_cast<int>(0.7236 * ball.radius_mm / (kSpacingVoxels * voxel_mm_)) + 1, BallDirections::kLeastSide,
                               BallDirections::kMostSide);
-  const BallDirections& directions = *directions_[side];
+  const BallDirections& directions = BallDirections::of(side);
   std::fill_n(place_at_.begin(), 4 * directions.fours.size(), std::int16_t{-1});
   const double far = sampled_.reach_mm + SweptVoid::kOffMm, middle_far = far + kMiddleOff * ball.radius_mm / side;
   for (std::size_t k = 0; k < directions.fours.size(); ++k) {

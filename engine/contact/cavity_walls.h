@@ -183,7 +183,6 @@ class CavityWalls {
   const Sweeps& sweeps_;
   SweptVoid void_;
   double voxel_mm_;
-  const BallDirections* directions_[BallDirections::kMostSide + 1] = {};  // [side]
   Sampled sampled_;
   bool places_made_ = true;   // places_ are those of sampled_
   std::vector<Place> places_;
