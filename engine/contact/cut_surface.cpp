@@ -16,6 +16,10 @@ constexpr std::size_t kMostFeatures = 4 * static_cast<std::size_t>(kBrickVoxels)
 constexpr std::uint16_t kLeast = 11000, kMost = 54500;
 /// s between which the surface passes within half a voxel.
 const std::uint16_t kInside = solid_from_distance(-0.5), kOutside = solid_from_distance(0.5);
+
+auto cut_values(const Volume& volume) noexcept {
+  return [&volume](int b) { return std::pair<const std::uint16_t*, double>(b < 0 ? nullptr : volume.cut_of(b), -kBandVoxels); };
+}
 }  // namespace
 
 void base_feature(const BaseSurface& surface, const BasePoints& points, int i, double voxel_mm,
@@ -173,19 +177,20 @@ int CutSurface::prepare(const Volume& volume, int brick, const CellsNear& cells,
   return budget;
 }
 
-/// The samples of a brick's cells from those of it and its neighbours: source(brick) gives 512 values, or nullptr and what
-/// stands for all of them.
-template <class Source>
-void CutSurface::decode(const Specimen& specimen, IVec3 brick, Slices cells, double (&samples)[kSide * kSide * kSide], Source&& source) noexcept {
+/// The samples of a brick's cells and so many below and above, of it and its neighbours: source(brick) gives 512 values, or
+/// nullptr and what stands for all of them.
+template <int kBelow, int kAbove, class Source>
+void CutSurface::decode(const Specimen& specimen, IVec3 brick, Slices cells, double* samples, Source&& source) noexcept {
+  constexpr int kRow = kBelow + kBrickEdge + kAbove, kFirst = kBrickEdge - kBelow;
   for (int nz = -1; nz <= 1; ++nz)
     for (int ny = -1; ny <= 1; ++ny)
       for (int nx = -1; nx <= 1; ++nx) {
         const auto [values, uniform] = source(specimen.brick_index(brick + IVec3(nx, ny, nz)));
-        const IVec3 from(nx < 0 ? 7 : 0, ny < 0 ? 7 : 0, std::max(nz < 0 ? 7 : 0, cells.first - 1 - nz * 8));
-        const IVec3 to(nx > 0 ? 1 : 7, ny > 0 ? 1 : 7, std::min(nz > 0 ? 1 : 7, cells.last + 2 - nz * 8));
+        const IVec3 from(nx < 0 ? kFirst : 0, ny < 0 ? kFirst : 0, std::max(nz < 0 ? kFirst : 0, cells.first - kBelow - nz * 8));
+        const IVec3 to(nx > 0 ? kAbove - 1 : 7, ny > 0 ? kAbove - 1 : 7, std::min(nz > 0 ? kAbove - 1 : 7, cells.last + kAbove - nz * 8));
         for (int z = from.z; z <= to.z; ++z)
           for (int y = from.y; y <= to.y; ++y) {
-            double* row = &samples[(nx * 8 + from.x + 1) + kSide * ((ny * 8 + y + 1) + kSide * (nz * 8 + z + 1))];
+            double* row = &samples[(nx * 8 + from.x + kBelow) + kRow * ((ny * 8 + y + kBelow) + kRow * (nz * 8 + z + kBelow))];
             const int count = to.x - from.x + 1;
             if (values != nullptr) {
               const std::uint16_t* s = values + (from.x | y << 3 | z << 6);
@@ -197,46 +202,19 @@ void CutSurface::decode(const Specimen& specimen, IVec3 brick, Slices cells, dou
       }
 }
 
-void CutSurface::decode_cut(const Volume& volume, IVec3 brick) noexcept {
-  decode(volume.specimen(), brick, asked_, samples_, [&volume](int b) {
-    return std::pair<const std::uint16_t*, double>(b < 0 ? nullptr : volume.cut_of(b), -kBandVoxels);
-  });
-}
+void CutSurface::decode_cut(const Volume& volume, IVec3 brick) noexcept { decode<1, 2>(volume.specimen(), brick, asked_, samples_, cut_values(volume)); }
 
 void CutSurface::decode_base(const Specimen& specimen, IVec3 brick) noexcept {
   base_ready_ = true;
-  decode(specimen, brick, asked_, base_, [&specimen](int b) {
+  decode<1, 2>(specimen, brick, asked_, base_, [&specimen](int b) {
     return std::pair<const std::uint16_t*, double>(b < 0 ? nullptr : specimen.s_of(b),
                                                    distance_from_solid(b < 0 ? std::uint16_t{0} : specimen.s_in(b, 0)));
   });
 }
 
 void CutSurface::decode_wide(const Volume& volume, IVec3 brick) noexcept {
-  constexpr int kBelow = 3;
-  const Specimen& specimen = volume.specimen();
-  const IVec3 low = brick * kBrickEdge - kBelow;
   wide_ready_ = true;
-  for (int bz = -1; bz <= 1; ++bz)
-    for (int by = -1; by <= 1; ++by)
-      for (int bx = -1; bx <= 1; ++bx) {
-        const IVec3 at = brick + IVec3(bx, by, bz);
-        const int b = specimen.brick_index(at);
-        const std::uint16_t* values = b < 0 ? nullptr : volume.cut_of(b);
-        const IVec3 from = glm::max(at * kBrickEdge - low, IVec3(0));
-        const IVec3 to = glm::min(at * kBrickEdge + kBrickEdge - low, IVec3(kWide));
-        const IVec3 shift = low - at * kBrickEdge;
-        for (int z = from.z; z < to.z; ++z)
-          for (int y = from.y; y < to.y; ++y) {
-            double* row = &wide_[from.x + kWide * (y + kWide * z)];
-            const int count = to.x - from.x;
-            if (values == nullptr) {
-              for (int x = 0; x < count; ++x) row[x] = -kBandVoxels;
-              continue;
-            }
-            const std::uint16_t* s = values + ((from.x + shift.x) | (y + shift.y) << 3 | (z + shift.z) << 6);
-            for (int x = 0; x < count; ++x) row[x] = distance_from_solid(s[x]);
-          }
-      }
+  decode<3, 4>(volume.specimen(), brick, asked_, wide_, cut_values(volume));
 }
 
 void CutSurface::refresh(const Volume& volume, int brick, const CellsNear& cells) noexcept {

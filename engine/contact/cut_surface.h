@@ -153,8 +153,8 @@ class CutSurface {
   };
   void decode_cut(const Volume& volume, IVec3 brick) noexcept;
   void decode_base(const Specimen& specimen, IVec3 brick) noexcept;
-  template <class Source>
-  static void decode(const Specimen& specimen, IVec3 brick, Slices cells, double (&samples)[kSide * kSide * kSide], Source&& source) noexcept;
+  template <int kBelow, int kAbove, class Source>
+  static void decode(const Specimen& specimen, IVec3 brick, Slices cells, double* samples, Source&& source) noexcept;
   void decode_wide(const Volume& volume, IVec3 brick) noexcept;
   enum class Part : std::uint8_t { unresolved, resolved };
   /// Adds the features of a cell of the cut. True if the cell is creased; an unresolved cell never is.
