@@ -98,11 +98,4 @@ CellsNear CellsNear::without(const std::uint64_t (&others)[8]) const noexcept {
   return out;
 }
 
-CellsNear CellsNear::of(std::uint8_t slices) const noexcept {
-  CellsNear out = *this;
-  for (int z = 0; z < 8; ++z)
-    if ((slices >> z & 1) == 0) out.slice[z] = 0;
-  return out;
-}
-
 }  // namespace cusp::engine

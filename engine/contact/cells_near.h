@@ -18,8 +18,6 @@ struct CellsNear {
   static CellsNear cylinders(const TwoCylinders& shape) noexcept;
   CellsNear operator|(const CellsNear& other) const noexcept;
   CellsNear without(const std::uint64_t (&others)[8]) const noexcept;
-  /// Those of these slices alone, a bit each.
-  CellsNear of(std::uint8_t slices) const noexcept;
 };
 
 }  // namespace cusp::engine

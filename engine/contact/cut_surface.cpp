@@ -140,7 +140,6 @@ int CutSurface::resolve_parts(const Volume& volume, int brick, Parts parts, int 
   const BasePoints points = volume.specimen().surface().in(brick);
   int point = 0;
   CellsNear made{};
-  bool any = false;
   for (int part = 0; part < 2 * kBrickEdge && budget > 0; ++part) {
     const int first_cell = part << 5, end = first_cell + 32;
     int cost = 0;
@@ -155,10 +154,8 @@ int CutSurface::resolve_parts(const Volume& volume, int brick, Parts parts, int 
     --unresolved_parts_;
     // An unresolved cell that is not creased may be a resolved one that is.
     made.slice[part >> 1] |= cells_of(static_cast<Parts>(1u << part), part >> 1);
-    any = true;
     budget -= cost;
   }
-  if (!any) return budget;
   for (std::size_t z = 0; z < kBrickEdge; ++z) slots_[place].stale[z] |= made.slice[z];
   refresh(volume, brick, made);
   return budget;
@@ -166,14 +163,12 @@ int CutSurface::resolve_parts(const Volume& volume, int brick, Parts parts, int 
 
 int CutSurface::prepare(const Volume& volume, int brick, const CellsNear& cells, int budget) noexcept {
   const Slot& slot = slots_[static_cast<std::size_t>(volume.cut_slot(brick))];
-  std::uint8_t slices = 0;
+  CellsNear made{};
   for (int z = 0; z < kBrickEdge && budget >= 0; ++z) {
-    const std::uint64_t stale = slot.stale[z] & cells.slice[z];
-    if (stale == 0) continue;
-    budget -= std::popcount(stale);
-    slices = static_cast<std::uint8_t>(slices | 1u << z);
+    made.slice[z] = slot.stale[z] & cells.slice[z];
+    budget -= std::popcount(made.slice[z]);
   }
-  if (slices != 0) refresh(volume, brick, cells.of(slices));
+  refresh(volume, brick, made);
   return budget;
 }
 
