@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/volume/cell_field.h"
+
 namespace cusp::engine {
 
 namespace {
-IVec3 cell_of(Vec3 p, double edge) noexcept {
-  return {static_cast<int>(std::floor(p.x / edge)), static_cast<int>(std::floor(p.y / edge)),
-          static_cast<int>(std::floor(p.z / edge))};
-}
 constexpr std::size_t kMostBack = 64;  // segments of a way that is followed back: 0.03 mm at 0.5 um a tick
 Vec3 nearest_on(const CutMemory::Segment& s, Vec3 y) noexcept {
   const Vec3 along = s.b - s.a;
@@ -31,8 +29,8 @@ std::size_t CutMemory::bucket(IVec3 c) noexcept {
 
 void CutMemory::link(std::size_t place) noexcept {
   const Segment& s = segments_[place];
-  const IVec3 low = cell_of(glm::min(s.a, s.b) - kReachMm, kCellMm);
-  const IVec3 high = cell_of(glm::max(s.a, s.b) + kReachMm, kCellMm);
+  const IVec3 low = cell_of_voxels((glm::min(s.a, s.b) - kReachMm) / kCellMm);
+  const IVec3 high = cell_of_voxels((glm::max(s.a, s.b) + kReachMm) / kCellMm);
   for (int z = low.z; z <= high.z; ++z)
     for (int y = low.y; y <= high.y; ++y)
       for (int x = low.x; x <= high.x; ++x) {
@@ -116,7 +114,7 @@ int CutMemory::near(Vec3 y, const Sweeper& tool, std::array<Vec3, kMost>& out) c
   int found = 0;
   std::int32_t last = -1;
   int visited = 0;
-  const std::size_t b = bucket(cell_of(y, kCellMm));
+  const std::size_t b = bucket(cell_of_voxels(y / kCellMm));
   std::int32_t n = heads_[b];
   if (n >= 0 && nodes_[static_cast<std::size_t>(n)].bucket != b) n = -1;
   for (std::size_t before = 0; n >= 0 && found + 1 < kMost && visited < 256; ++visited) {

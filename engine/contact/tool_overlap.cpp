@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/volume/cell_field.h"
+
 namespace cusp::engine {
 
 IVec3 ToolOverlap::voxel_at(const Grid& grid, Vec3 p) noexcept {
-  const Vec3 x = (p - grid.origin_mm) / grid.voxel_mm + 0.5;
-  return {static_cast<int>(std::floor(x.x)), static_cast<int>(std::floor(x.y)), static_cast<int>(std::floor(x.z))};
+  return cell_of_voxels((p - grid.origin_mm) / grid.voxel_mm + 0.5);
 }
 
 std::vector<ToolOverlap::Row> ToolOverlap::rows_of(const std::vector<IVec3>& voxels) {

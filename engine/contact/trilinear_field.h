@@ -4,8 +4,8 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 
+#include "engine/volume/cell_field.h"
 #include "engine/volume/volume.h"
 
 namespace cusp::engine {
@@ -18,7 +18,7 @@ class TrilinearField {
   /// Distance in mm, negative in tissue; clamped at the band, kBandVoxels either way.
   double at(Vec3 p_mm) const noexcept {
     const Vec3 x = (p_mm - origin_) * inverse_;
-    const IVec3 cell(below(x.x), below(x.y), below(x.z));
+    const IVec3 cell = cell_of_voxels(x);
     const Vec3 f = x - Vec3(cell);
     double s[8];
     load(cell, s);
@@ -41,24 +41,18 @@ class TrilinearField {
       high[a] += voxel_;
       g[a] = (at(high) - at(low)) * (0.5 * inverse_);
     }
-    const double length = std::sqrt(g.x * g.x + g.y * g.y + g.z * g.z);
+    const double length = length_of(g);
     if (!(length > 0.25)) return false;
     n = g / length;
     return true;
   }
 
   Tissue tissue(Vec3 p_mm) const noexcept {
-    const Vec3 x = (p_mm - origin_) * inverse_ + 0.5;
-    return volume_.tissue(
-        {static_cast<int>(std::floor(x.x)), static_cast<int>(std::floor(x.y)), static_cast<int>(std::floor(x.z))});
+    return volume_.tissue(cell_of_voxels((p_mm - origin_) * inverse_ + 0.5));
   }
   double band_mm() const noexcept { return kBandVoxels * voxel_; }
 
  private:
-  static int below(double x) noexcept {
-    const int i = static_cast<int>(x);
-    return i - (x < i);
-  }
   /// One brick's values, base and cut; a brick that is all alike reads from one of two that are.
   struct Source {
     const std::uint16_t* base;
