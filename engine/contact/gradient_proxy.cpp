@@ -27,7 +27,7 @@ GradientProxy::GradientProxy(const Scene& scene, const Volume& volume) : axis_(s
   for (const Bur& bur : scene.burs) {
     // At least three by three points a side, so that the best of them leads to the foot.
     const double spacing = std::min(kBallVoxels * voxel, 0.45 * bur.radius_mm);
-    shells_.push_back({shell_of(bur, scene.tool_axis, spacing, kHolderVoxels * voxel), bur.radius_mm, head_reach(bur),
+    shells_.push_back({shell_of(bur, scene.tool_axis, spacing, kHolderVoxels * voxel), head_reach(bur),
                        std::max(bur.neck_radius_mm, bur.shank_radius_mm)});
   }
 }
@@ -41,11 +41,6 @@ GradientProxy::Scan GradientProxy::scan(const TrilinearField& field, std::size_t
       if (!box_.contains(y + point.offset_mm)) continue;
       const double d = field.at(y + point.offset_mm);
       if (d < out.gap_mm) out = {point.offset_mm, d};
-    }
-    for (const PointShell::BallPoint& point : shell.points.ball) {
-      const Vec3 offset = point.out * shell.radius_mm;
-      const double d = field.at(y + offset);
-      if (d < out.gap_mm) out = {offset, d};
     }
   }
   const double leaves = box_.leaves(y, axis_, shell.holder_radius_mm);

@@ -52,7 +52,7 @@ class GradientProxy {
 
   struct Shell {
     PointShell points;
-    double radius_mm = 0.0, reach_mm = 0.0, holder_radius_mm = 0.0;
+    double reach_mm = 0.0, holder_radius_mm = 0.0;
   };
   std::vector<Shell> shells_;  // one for each bur of the scene
   Vec3 axis_;

@@ -93,22 +93,15 @@ struct Penalty::Pushes {
 };
 
 void Penalty::push_head(const TrilinearField& field, const Shell& shell, Vec3 device, Pushes& out) const noexcept {
-  const auto push_of = [&](Vec3 p, Vec3 outward, double share) {
+  if (!box_.contains(device, shell.reach_mm)) return;
+  for (const PointShell::HeadPoint& point : shell.points.head) {
+    const Vec3 p = device + point.offset_mm;
+    if (!box_.contains(p)) continue;
     const double d = field.at(p);
-    if (d >= 0.0) return;
-    const double push = -d * share;
-    out.head -= outward * push;
+    if (d >= 0.0) continue;
+    const double push = -d * point.share;
+    out.head -= point.out * push;
     out.of[index_of(field.tissue(p))] += push;
-  };
-  if (!shell.points.ball.empty() && box_.contains(device, shell.radius_mm)) {
-    for (const PointShell::BallPoint& point : shell.points.ball)
-      push_of(device + point.out * shell.radius_mm, point.out, point.share);
-  }
-  if (!shell.points.head.empty() && box_.contains(device, shell.reach_mm)) {
-    for (const PointShell::HeadPoint& point : shell.points.head) {
-      const Vec3 p = device + point.offset_mm;
-      if (box_.contains(p)) push_of(p, point.out, point.share);
-    }
   }
 }
 
@@ -157,8 +150,7 @@ BandedContact Penalty::solve(const Volume& volume, const Scene& scene, std::size
   Vec3 push(0.0);
   const double sum = length_of(pushes.head);
   if (sum > 1e-12)
-    push = pushes.head *
-           ((shell.points.head.empty() ? depth_of(shell, sum) : depth_of(shell, pushes.head / sum, sum)) / sum);
+    push = pushes.head * ((shape.head.ball() ? depth_of(shell, sum) : depth_of(shell, pushes.head / sum, sum)) / sum);
   const double holding = length_of(pushes.holder);
   if (holding > 1e-12) {
     out.shank = true;

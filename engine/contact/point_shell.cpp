@@ -10,7 +10,7 @@ namespace cusp::engine {
 namespace {
 
 /// A cube's faces cut into m x m squares and blown up to the sphere; a square's share is its solid angle.
-void ball_points(double radius_mm, double spacing_mm, std::vector<PointShell::BallPoint>& out) {
+void ball_points(double radius_mm, double spacing_mm, std::vector<PointShell::HeadPoint>& out) {
   const double side = std::sqrt(4.0 * 3.14159265358979 / 6.0) * radius_mm;  // of a face's share as a square
   const int m = std::clamp(static_cast<int>(side / spacing_mm + 0.5), 2, 40);
   double sum = 0.0;
@@ -25,10 +25,11 @@ void ball_points(double radius_mm, double spacing_mm, std::vector<PointShell::Ba
         p[face % 3] = face < 3 ? 1.0 : -1.0;
         p[(face + 1) % 3] = u;
         p[(face + 2) % 3] = v;
-        out.push_back({p / length, 1.0 / (square * length)});
+        p /= length;
+        out.push_back({p * radius_mm, p, 1.0 / (square * length)});
         sum += out.back().share;
       }
-  for (PointShell::BallPoint& p : out) p.share /= sum;
+  for (PointShell::HeadPoint& p : out) p.share /= sum;
 }
 
 /// Calls visit(direction, part of the turn) round the axis: the outline of a square of 8 m points blown up to the circle.
@@ -93,16 +94,6 @@ void head_points(const Profile& head, Vec3 axis, Vec3 a, Vec3 b, double spacing,
   for (PointShell::HeadPoint& p : out) p.share /= sum;
 }
 
-void ring(const Bur& bur, Vec3 axis, Vec3 a, Vec3 b, double along, double radius, Vec3 normal_along, double outward,
-          double spacing, std::vector<PointShell::HolderPoint>& out) {
-  around(a, b, points_of(radius, spacing), [&](Vec3 round, double) {
-    const Vec3 offset = axis * along + round * radius;
-    const bool in_head = bur.head.ball() ? glm::dot(offset, offset) <= bur.radius_mm * bur.radius_mm
-                                          : head_distance(bur, axis, offset) <= 0.0;
-    if (!in_head) out.push_back({offset, normal_along + round * outward, along});
-  });
-}
-
 }  // namespace
 
 PointShell shell_of(const Bur& bur, Vec3 axis, double head_spacing_mm, double holder_spacing_mm) {
@@ -115,24 +106,28 @@ PointShell shell_of(const Bur& bur, Vec3 axis, double head_spacing_mm, double ho
   a -= axis * glm::dot(a, axis);
   a /= std::sqrt(glm::dot(a, a));
   const Vec3 b = glm::cross(axis, a);
-  if (bur.head.ball()) {
-    ball_points(bur.radius_mm, head_spacing_mm, out.ball);
-  } else {
+  if (bur.head.ball())
+    ball_points(bur.radius_mm, head_spacing_mm, out.head);
+  else
     head_points(bur.head, axis, a, b, head_spacing_mm, out.head);
-  }
+  const auto ring = [&](double along, double radius, Vec3 normal_along, double outward) {
+    around(a, b, points_of(radius, holder_spacing_mm), [&](Vec3 round, double) {
+      const Vec3 offset = axis * along + round * radius;
+      const bool in_head = bur.head.ball() ? glm::dot(offset, offset) <= bur.radius_mm * bur.radius_mm
+                                           : head_distance(bur, axis, offset) <= 0.0;
+      if (!in_head) out.holder.push_back({offset, normal_along + round * outward, along});
+    });
+  };
   const auto tube = [&](double from, double to, double radius) {
     const int rings = std::max(1, static_cast<int>((to - from) / holder_spacing_mm + 0.5));
-    for (int i = 0; i <= rings; ++i)
-      ring(bur, axis, a, b, from + (to - from) * i / rings, radius, Vec3(0.0), 1.0, holder_spacing_mm, out.holder);
+    for (int i = 0; i <= rings; ++i) ring(from + (to - from) * i / rings, radius, Vec3(0.0), 1.0);
   };
   tube(0.0, bur.neck_length_mm, bur.neck_radius_mm);
   const double wide = bur.shank_radius_mm - bur.neck_radius_mm;
   if (bur.shank_length_mm > 0.0 && wide > 0.0) {
     // The shoulder between neck and shank looks back to the ball.
     const int rings = std::max(1, static_cast<int>(wide / holder_spacing_mm + 0.5));
-    for (int i = 1; i <= rings; ++i)
-      ring(bur, axis, a, b, bur.neck_length_mm, bur.neck_radius_mm + wide * i / rings, -axis, 0.0,
-           holder_spacing_mm, out.holder);
+    for (int i = 1; i <= rings; ++i) ring(bur.neck_length_mm, bur.neck_radius_mm + wide * i / rings, -axis, 0.0);
   }
   if (bur.shank_length_mm > 0.0)
     tube(bur.neck_length_mm, bur.neck_length_mm + bur.shank_length_mm, bur.shank_radius_mm);

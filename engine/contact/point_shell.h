@@ -10,10 +10,6 @@
 namespace cusp::engine {
 
 struct PointShell {
-  struct BallPoint {
-    Vec3 out{0.0};       // unit, from the ball's centre
-    double share = 0.0;  // of the sphere; all shares are 1 together
-  };
   struct HeadPoint {
     Vec3 offset_mm{0.0};  // from the pivot
     Vec3 out{0.0};        // unit normal
@@ -24,8 +20,7 @@ struct PointShell {
     Vec3 out{0.0};        // unit normal
     double along_mm = 0.0;
   };
-  std::vector<BallPoint> ball;      // of a ball
-  std::vector<HeadPoint> head;      // of any other head
+  std::vector<HeadPoint> head;
   std::vector<HolderPoint> holder;  // in order of along_mm; none inside the head
 };
 

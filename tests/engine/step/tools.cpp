@@ -55,11 +55,11 @@ TEST(PointShell, covers_the_sphere_evenly) {
   bur.radius_mm = 0.5;
   const PointShell shell = shell_of(bur, Vec3(0, 0, 1), 0.078, 0.2);
   // A point a voxel: 4 pi r^2 / h^2 = 516; a cube's faces in whole numbers make it 600 or 486.
-  EXPECT_NEAR(static_cast<double>(shell.ball.size()), 516.0, 100.0);
+  EXPECT_NEAR(static_cast<double>(shell.head.size()), 516.0, 100.0);
   double sum = 0.0;
   Vec3 mean(0.0);
   glm::dmat3 second(0.0);
-  for (const PointShell::BallPoint& p : shell.ball) {
+  for (const PointShell::HeadPoint& p : shell.head) {
     EXPECT_NEAR(length(p.out), 1.0, 1e-12);
     sum += p.share;
     mean += p.out * p.share;

@@ -114,7 +114,6 @@ TEST(AnyHead, has_a_shell_on_its_skin_with_even_shares) {
   for (const Bur& bur : all_shapes()) {
     const Vec3 axis(0.36, 0.48, 0.8);
     const PointShell shell = shell_of(bur, axis, 0.1, 0.2);
-    EXPECT_TRUE(shell.ball.empty());
     double sum = 0.0;
     Vec3 mean(0.0);
     for (const PointShell::HeadPoint& p : shell.head) {
