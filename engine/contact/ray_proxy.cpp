@@ -89,18 +89,14 @@ bool RayProxy::look_round_head(const Near& near, IVec3 pivot, Side& side) const 
   Vec3 sum(0.0);
   int count = 0;
   std::size_t first = 0;
-  for (const Row& row : near.rows) {
-    const int x1 = pivot.x + row.x1;
-    for (int x = pivot.x + row.x0; x <= x1; x = (x | 7) + 1) {
-      unsigned bits = 0xffu << (x & 7);
-      if ((x | 7) > x1) bits &= 0xffu >> (7 - (x1 & 7));
-      bits &= occupancy.row({x, pivot.y + row.y, pivot.z + row.z});
+  for (const VoxelRow& row : near.rows) {
+    for_occupied(occupancy, row, pivot, [&](int x, unsigned bits) {
       for (; bits != 0; bits &= bits - 1) {
-        const int at = (x & ~7) + std::countr_zero(bits) - pivot.x - row.x0;
+        const int at = x + std::countr_zero(bits) - pivot.x - row.x0;
         sum += near.normals[first + static_cast<std::size_t>(at)];
         ++count;
       }
-    }
+    });
     first += static_cast<std::size_t>(row.x1 - row.x0 + 1);
   }
   if (count == 0) return false;
@@ -116,25 +112,18 @@ bool RayProxy::look(std::size_t bur, IVec3 pivot, Side& side) const noexcept {
   int count = 0;
   IVec3 sum(0);
   std::int64_t squares = 0;
-  for (const Row& row : near_[bur].rows) {
-    const int z = pivot.z + row.z;
-    const int y = pivot.y + row.y;
-    const int x1 = pivot.x + row.x1;
-    for (int x = pivot.x + row.x0; x <= x1; x = (x | 7) + 1) {
-      unsigned bits = 0xffu << (x & 7);
-      if ((x | 7) > x1) bits &= 0xffu >> (7 - (x1 & 7));
-      bits &= occupancy.row({x, y, z});
-      if (bits == 0) continue;
+  for (const VoxelRow& row : near_[bur].rows)
+    for_occupied(occupancy, row, pivot, [&](int x, unsigned bits) {
+      if (bits == 0) return;
       const int here = std::popcount(bits);
-      const int from = (x & ~7) - pivot.x;
-      const int places = kPositions[bits & 0xffu];
+      const int from = x - pivot.x;
+      const int places = kPositions[bits];
       count += here;
       sum.x += places + from * here;
       sum.y += row.y * here;
       sum.z += row.z * here;
-      squares += kSquares[bits & 0xffu] + 2 * from * places + (from * from + row.y * row.y + row.z * row.z) * here;
-    }
-  }
+      squares += kSquares[bits] + 2 * from * places + (from * from + row.y * row.y + row.z * row.z) * here;
+    });
   if (count == 0) return false;
   const double length = length_of(Vec3(sum));
   side.flat = length * length > near_[bur].flat * static_cast<double>(squares) * count;

@@ -29,11 +29,8 @@ class RayProxy {
   ToolOverlap& overlap() noexcept { return overlap_; }
 
  private:
-  struct Row {
-    int z, y, x0, x1;
-  };
   struct Near {
-    std::vector<Row> rows;      // of a ball a little wider than the bur; of another head the layer round it
+    std::vector<VoxelRow> rows;      // of a ball a little wider than the bur; of another head the layer round it
     double flat = 0.0;          // ball: least square of the mean's length over the mean square that counts as one surface
     std::vector<Vec3> normals;  // other heads: out of the head at each voxel of the rows
   };

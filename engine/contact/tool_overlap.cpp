@@ -11,8 +11,8 @@ IVec3 ToolOverlap::voxel_at(const Grid& grid, Vec3 p) noexcept {
   return cell_of_voxels((p - grid.origin_mm) / grid.voxel_mm + 0.5);
 }
 
-std::vector<ToolOverlap::Row> ToolOverlap::rows_of(const std::vector<IVec3>& voxels) {
-  std::vector<Row> out;
+std::vector<VoxelRow> ToolOverlap::rows_of(const std::vector<IVec3>& voxels) {
+  std::vector<VoxelRow> out;
   for (const IVec3& v : voxels) {
     if (!out.empty() && out.back().z == v.z && out.back().y == v.y && out.back().x1 + 1 == v.x) {
       out.back().x1 = v.x;
@@ -37,19 +37,16 @@ ToolOverlap::ToolOverlap(const Scene& scene, const Volume& volume, Colliding col
   hit_.resize(most);
 }
 
-bool ToolOverlap::any(const std::vector<Row>& rows, IVec3 pivot) const noexcept {
-  for (const Row& row : rows) {
+bool ToolOverlap::any(const std::vector<VoxelRow>& rows, IVec3 pivot) const noexcept {
+  for (const VoxelRow& row : rows) {
     const int z = pivot.z + row.z;
     if (z > tissue_.high.z) break;  // in order of z: the rest is above all tissue
     const int y = pivot.y + row.y;
     if (z < tissue_.low.z || y < tissue_.low.y || y > tissue_.high.y) continue;
-    const int x0 = std::max(pivot.x + row.x0, tissue_.low.x);
-    const int x1 = std::min(pivot.x + row.x1, tissue_.high.x);
-    for (int x = x0; x <= x1; x = (x | 7) + 1) {
-      unsigned mask = 0xffu << (x & 7);
-      if ((x | 7) > x1) mask &= 0xffu >> (7 - (x1 & 7));
-      if (occupancy_.row({x, y, z}) & mask) return true;
-    }
+    const VoxelRow inside{row.z, row.y, std::max(row.x0, tissue_.low.x - pivot.x), std::min(row.x1, tissue_.high.x - pivot.x)};
+    unsigned hit = 0;
+    for_occupied(occupancy_, inside, pivot, [&](int, unsigned bits) { hit |= bits; });
+    if (hit != 0) return true;
   }
   return false;
 }

@@ -26,6 +26,23 @@ struct VoxelContact {
   Vec3 mean_offset_mm{0.0};  // of eq. (3): mean of centre minus collision point
 };
 
+/// Voxels x0 to x1 of one row, from a pivot.
+struct VoxelRow {
+  int z, y, x0, x1;
+};
+
+/// Calls visit(x, bits) for every eight voxels that a row about a pivot touches: bit i of those of the row that are occupied is
+/// the voxel x + i.
+template <class Visit>
+void for_occupied(const Occupancy& occupancy, const VoxelRow& row, IVec3 pivot, Visit&& visit) noexcept {
+  const int x1 = pivot.x + row.x1;
+  for (int x = pivot.x + row.x0; x <= x1; x = (x | 7) + 1) {
+    unsigned bits = 0xffu << (x & 7);
+    if ((x | 7) > x1) bits &= 0xffu >> (7 - (x1 & 7));
+    visit(x & ~7, bits & occupancy.row({x, pivot.y + row.y, pivot.z + row.z}));
+  }
+}
+
 /// Which of a tool's voxels collide.
 enum class Colliding : std::uint8_t { whole_tool, pivot };
 
@@ -52,16 +69,12 @@ class ToolOverlap {
   const Occupancy& occupancy() const noexcept { return occupancy_; }
 
  private:
-  /// Voxels x0 to x1 of one row of the tool, from its pivot.
-  struct Row {
-    int z, y, x0, x1;
-  };
   struct Tool {
     VoxelTool voxels;
-    std::vector<Row> cutting, holder;  // the same voxels by rows, in order of z, y, x
+    std::vector<VoxelRow> cutting, holder;  // the same voxels by rows, in order of z, y, x
   };
-  static std::vector<Row> rows_of(const std::vector<IVec3>& voxels);
-  bool any(const std::vector<Row>& rows, IVec3 pivot) const noexcept;
+  static std::vector<VoxelRow> rows_of(const std::vector<IVec3>& voxels);
+  bool any(const std::vector<VoxelRow>& rows, IVec3 pivot) const noexcept;
 
   Occupancy occupancy_;
   std::vector<Tool> tools_;  // one for each bur of the scene
