@@ -155,27 +155,19 @@ bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner,
 
 Carved carve(Volume& volume, const BallSweeps& all, CarvePart part) noexcept {
   Carved out;
-  int walked = 0;
-  for (int z = all.low.z >> 3; z <= all.high.z >> 3; ++z)
-    for (int y = all.low.y >> 3; y <= all.high.y >> 3; ++y)
-      for (int x = all.low.x >> 3; x <= all.high.x >> 3; ++x) {
-        if (walked++ < part.first) continue;
-        if (out.bricks == part.most) {
-          out.next = walked - 1;
-          return out;
-        }
-        const int brick = volume.specimen().brick_index({x, y, z});
-        const IVec3 corner = IVec3(x, y, z) * kBrickEdge;
-        if (brick < 0 || !volume.cuttable(brick)) continue;
-        bool reaches = false;
-        for (int k = 0; k < all.count && !reaches; ++k) reaches = all.sweep[k].reaches_brick(corner);
-        if (!reaches) continue;
-        ChangedVoxels changed;
-        if (!carve_brick(volume, all, brick, corner, changed)) out.overflow = true;
-        if (!changed.close(corner)) continue;
-        volume.touched(brick);
-        out.add(changed);
-      }
+  for_bricks_of(part, all.low, all.high, out, [&](IVec3 at) {
+    const int brick = volume.specimen().brick_index(at);
+    const IVec3 corner = at * kBrickEdge;
+    if (brick < 0 || !volume.cuttable(brick)) return;
+    bool reaches = false;
+    for (int k = 0; k < all.count && !reaches; ++k) reaches = all.sweep[k].reaches_brick(corner);
+    if (!reaches) return;
+    ChangedVoxels changed;
+    if (!carve_brick(volume, all, brick, corner, changed)) out.overflow = true;
+    if (!changed.close(corner)) return;
+    volume.touched(brick);
+    out.add(changed);
+  });
   return out;
 }
 

@@ -41,6 +41,22 @@ struct CarvePart {
   int most = 1 << 30;      // bricks to change
 };
 
+/// Calls brick(at) for the bricks of a part of a carving within voxels low..high, inclusive, until part.most are in `carved`.
+template <class Brick>
+void for_bricks_of(CarvePart part, IVec3 low, IVec3 high, Carved& carved, Brick&& brick) noexcept {
+  int walked = 0;
+  for (int z = low.z >> 3; z <= high.z >> 3; ++z)
+    for (int y = low.y >> 3; y <= high.y >> 3; ++y)
+      for (int x = low.x >> 3; x <= high.x >> 3; ++x) {
+        if (walked++ < part.first) continue;
+        if (carved.bricks == part.most) {
+          carved.next = walked - 1;
+          return;
+        }
+        brick(IVec3(x, y, z));
+      }
+}
+
 /// Calls visit(changed), a brick each, with every voxel that has changed; beyond kKept bricks with all in the box about them.
 template <class Visit>
 void for_changed(const Carved& carved, Visit&& visit) noexcept {

@@ -63,17 +63,7 @@ class Carving {
     const Vec3 most = glm::max(glm::max(foot, top), glm::max(foot, top) + way_) + wide;
     low_ = glm::max(IVec3(glm::floor(least)), IVec3(0));
     high_ = glm::min(IVec3(glm::ceil(most)), grid.size - 1);
-    int walked = 0;
-    for (int z = low_.z >> 3; z <= high_.z >> 3; ++z)
-      for (int y = low_.y >> 3; y <= high_.y >> 3; ++y)
-        for (int x = low_.x >> 3; x <= high_.x >> 3; ++x) {
-          if (walked++ < part.first) continue;
-          if (out_.bricks == part.most) {
-            out_.next = walked - 1;
-            return out_;
-          }
-          brick({x, y, z});
-        }
+    for_bricks_of(part, low_, high_, out_, [this](IVec3 at) { brick(at); });
     return out_;
   }
 
