@@ -15,8 +15,6 @@ int subharmonic_of(const SpindleSettings& settings) noexcept {
   return n;
 }
 
-double felt_hz(const SpindleSettings& settings, double rpm) noexcept { return rpm / 60.0 / subharmonic_of(settings); }
-
 double sine_of(std::uint32_t phase) noexcept {
   double x = static_cast<double>(static_cast<std::int32_t>(phase)) / 4294967296.0;  // turns, [-1/2, 1/2)
   if (x > 0.25) x = 0.5 - x;
@@ -30,7 +28,7 @@ double sine_of(std::uint32_t phase) noexcept {
 
 double vibration_n(VibrationState& state, const SpindleSettings& settings, double rpm, double push_n, double hardness,
                    double dt_s) noexcept {
-  const double hz = within(felt_hz(settings, rpm), 0.0, kFeltHz);
+  const double hz = within(rpm / 60.0 / subharmonic_of(settings), 0.0, kFeltHz);
   dt_s = within(dt_s, 0.0, 1.0);
   const double turns = hz * dt_s;  // of the felt wave in this tick; 250 at most
   const auto whole = static_cast<std::uint64_t>(turns * 4294967296.0);

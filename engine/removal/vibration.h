@@ -23,9 +23,6 @@ struct VibrationState {
 /// Every how many turns one beat is felt: the least whole number that keeps free_rpm at kFeltHz or below. 1 at least.
 int subharmonic_of(const SpindleSettings& settings) noexcept;
 
-/// Frequency of what is felt, Hz.
-double felt_hz(const SpindleSettings& settings, double rpm) noexcept;
-
 /// sin(2 pi phase / 2^32), by a polynomial: within 4e-6, and within [-1, 1].
 double sine_of(std::uint32_t phase) noexcept;
 
