@@ -157,18 +157,14 @@ std::int32_t Sweeps::nearest_of(SweepRun run, Vec3f q, float& d2) const noexcept
 
 Sweeps::Nearest Sweeps::nearest(SweepRun run, Vec3 p) const noexcept {
   float d2;
-  Nearest out;
-  out.sweep = nearest_of(run, Vec3f(p - middle_), d2);
-  const Sweep sweep = (*this)[out.sweep];
-  out.on = sweep.nearest_on(p);
-  const Vec3 off = out.on - p;
-  out.distance_mm = std::sqrt(glm::dot(off, off));
-  return out;
+  const std::int32_t sweep = nearest_of(run, Vec3f(p - middle_), d2);
+  const Vec3 off = (*this)[sweep].nearest_on(p) - p;
+  return {sweep, std::sqrt(glm::dot(off, off))};
 }
 
 float Sweeps::distances2(SweepRun run, Vec3 p, float* out) const noexcept {
   const Vec3f q(p - middle_);
-  Lanes least = all_lanes(1e30f);
+  Lanes least = all_lanes(kBeyond);
   for (std::int32_t i = run.from; i <= run.to; i += kLanes, out += kLanes) {
     const Lanes d2 = four_distances2(q, i);
     __builtin_memcpy(out, &d2, sizeof d2);

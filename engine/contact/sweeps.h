@@ -46,8 +46,6 @@ class Sweeps {
   /// room: sweeps at most.
   Sweeps(Vec3 middle, std::size_t room);
 
-  /// A place as the store keeps it.
-  Vec3 rounded(Vec3 p) const noexcept { return Vec3(Vec3f(p - middle_)) + middle_; }
   /// A ball has cut from `from` to `to`. Lengthens the newest sweep, or begins another. Returns its id, or kNone if full.
   std::int32_t add(Vec3 from, Vec3 to, double radius_mm) noexcept;
   /// The same of a piece that is whole: it goes on from the newest sweep if it begins there, and is not lengthened.
@@ -87,7 +85,6 @@ class Sweeps {
 
   struct Nearest {
     std::int32_t sweep = kNone;
-    Vec3 on{0.0};             // of its way
     double distance_mm = 0.0;
   };
   /// The sweep of a run that comes nearest to p. Pre: the run is not empty.
