@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/contact/ball_directions.h"
+
 namespace cusp::engine {
 
 namespace {

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/contact/ball_directions.h"
 #include "engine/contact/plane_search.h"
 #include "engine/contact/swept_void.h"
 

@@ -1,7 +1,6 @@
 #include "engine/contact/gradient_proxy.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/tool/swept.h"
 

@@ -1,7 +1,6 @@
 // A ball within what one ball as wide or wider has swept is admissible. If the sweep's wall stands where it keeps the ball from
 // the device, the pose is a minimum: no other constraint need be known.
 #include <algorithm>
-#include <cmath>
 
 #include "engine/contact/cavity_walls.h"
 

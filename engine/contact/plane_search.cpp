@@ -1,7 +1,5 @@
 #include "engine/contact/plane_search.h"
 
-#include <cmath>
-
 namespace cusp::engine {
 
 namespace {

@@ -1,6 +1,7 @@
 #include "engine/contact/ray_proxy.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 

@@ -14,7 +14,6 @@
 /// is held back by jags as the occupancy proxy is. Thread: haptic; wait-free; memory at construction.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "engine/contact/tool_overlap.h"

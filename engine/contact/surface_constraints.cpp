@@ -1,6 +1,5 @@
 // Builds the constraints that a step may touch: of all candidates, two at a time; then again of those that were near.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "engine/base/lanes.h"

@@ -3,7 +3,6 @@
 #include "engine/contact/surface_contact.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace cusp::engine {
 

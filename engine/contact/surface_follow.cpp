@@ -1,6 +1,5 @@
 // The search by planes: searches of a step each, made of passes that build constraints, solve them and polish the answer.
 #include <algorithm>
-#include <cmath>
 
 #include "engine/contact/surface_contact.h"
 

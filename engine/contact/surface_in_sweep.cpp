@@ -1,6 +1,5 @@
 // The search of a ball that one sweep holds, where neck and shank are free: in its own hole, at its own front while it cuts, and
 // in wider cuts.
-#include <cmath>
 
 #include "engine/contact/surface_contact.h"
 

@@ -1,6 +1,4 @@
 // Resolves the parts near the bur, some a tick.
-#include <algorithm>
-
 #include "engine/contact/surface_near.h"
 
 namespace cusp::engine {

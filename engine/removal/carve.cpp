@@ -1,6 +1,5 @@
 #include "engine/removal/carve.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/base/lanes.h"

@@ -3,8 +3,6 @@
 /// knowledge, not verified.
 #pragma once
 
-#include <cstdint>
-
 #include "engine/base/vec.h"
 #include "engine/scene/phenomena.h"
 
