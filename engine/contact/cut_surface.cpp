@@ -89,23 +89,18 @@ void CutSurface::changed(const Volume& volume, const ChangedVoxels& voxels) noex
 }
 
 void CutSurface::changed_unresolved(const Volume& volume, IVec3 low, IVec3 high) noexcept {
-  const Specimen& specimen = volume.specimen();
   // As far as a creased cell reads.
-  const IVec3 from = low - 4, to = high + 3;
-  for (int bz = from.z >> 3; bz <= to.z >> 3; ++bz)
-    for (int by = from.y >> 3; by <= to.y >> 3; ++by)
-      for (int bx = from.x >> 3; bx <= to.x >> 3; ++bx) {
-        const int brick = specimen.brick_index({bx, by, bz});
-        if (brick < 0 || !volume.has_cut(brick)) continue;
-        const auto place = static_cast<std::size_t>(volume.cut_slot(brick));
-        const int first = std::max(from.z - bz * kBrickEdge, 0), last = std::min(to.z - bz * kBrickEdge, kBrickEdge - 1);
-        for (int z = first; z <= last; ++z) {
-          const Parts were = slots_resolved_[place] & parts_of_slice(z);
-          unresolved_parts_ += static_cast<std::size_t>(std::popcount(were));
-          slots_resolved_[place] = static_cast<Parts>(slots_resolved_[place] & ~were);
-          slots_[place].stale[z] |= slots_[place].creased[z] & cells_of(were, z);
-        }
-      }
+  for_bricks_of(low - 4, high + 3, [&](const ChangedVoxels& far) {
+    const int brick = volume.specimen().brick_index(far.low >> 3);
+    if (brick < 0 || !volume.has_cut(brick)) return;
+    const auto place = static_cast<std::size_t>(volume.cut_slot(brick));
+    for (int z = far.low.z & 7; z <= (far.high.z & 7); ++z) {
+      const Parts were = slots_resolved_[place] & parts_of_slice(z);
+      unresolved_parts_ += static_cast<std::size_t>(std::popcount(were));
+      slots_resolved_[place] = static_cast<Parts>(slots_resolved_[place] & ~were);
+      slots_[place].stale[z] |= slots_[place].creased[z] & cells_of(were, z);
+    }
+  });
   for_bricks_of(low, high, [&](const ChangedVoxels& voxels) { changed(volume, voxels); });
 }
 

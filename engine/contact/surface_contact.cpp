@@ -160,7 +160,11 @@ Contact SurfaceContact::follow(const Volume& volume, const Scene& scene, std::ui
     // No wall that balls have cut is known further off.
     if (swept && length_of(out.pose_mm - from) > step + kNearCavityMm) out = solve_in_cavity(volume, tool, from, device, reach_mm);
   }
-  if (out.active == 0 && !out.deferred && !out.infeasible) look_for_free(volume, tool, out.pose_mm);
+  if (out.active > 0 || out.deferred || out.infeasible) return out;
+  if (free_pause_ > 0)
+    --free_pause_;
+  else
+    find_free(volume, tool, out.pose_mm);
   return out;
 }
 
@@ -169,13 +173,6 @@ SurfaceContact::Tool SurfaceContact::tool_of(const Bur& bur, Vec3 axis, std::uin
   Tool tool{&bur, axis, index};
   if (!cut_.resolves()) tool.thin_cut = kClearanceMm;
   return tool;
-}
-
-void SurfaceContact::look_for_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept {
-  if (free_pause_ > 0)
-    --free_pause_;
-  else
-    find_free(volume, tool, pose);
 }
 
 Contact SurfaceContact::after_cut(const Volume& volume, const Scene& scene, std::uint16_t bur_index, Vec3 axis,

@@ -272,7 +272,6 @@ class SurfaceContact {
   bool raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept;
   void nearest_to_ball(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept;
   void nearest_to_head(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept;
-  void look_for_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept;
   void find_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept;
   void foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 device) noexcept;
   void planes(const Tool& tool, Vec3 y, std::size_t from, std::size_t to, double slack_mm) noexcept;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/volume/changed_voxels.h"
+
 namespace cusp::engine {
 
 namespace {
@@ -50,13 +52,11 @@ void SweptVoid::forget() noexcept {
 void SweptVoid::changed(const Volume& volume, IVec3 low, IVec3 high) noexcept {
   if (sweeps_.size() == 0) return;  // no voxel names one
   const IVec3 from = glm::max(low - 1, IVec3(0));
-  for (int bz = from.z >> 3; bz <= high.z >> 3; ++bz)
-    for (int by = from.y >> 3; by <= high.y >> 3; ++by)
-      for (int bx = from.x >> 3; bx <= high.x >> 3; ++bx) {
-        const int brick = volume.specimen().brick_index({bx, by, bz});
-        const int slot = brick < 0 ? -1 : volume.cut_slot(brick);
-        if (slot >= 0) known_valid_[static_cast<std::size_t>(slot)] = 0;
-      }
+  for_bricks_of(from, high, [&](const ChangedVoxels& part) {
+    const int brick = volume.specimen().brick_index(part.low >> 3);
+    const int slot = brick < 0 ? -1 : volume.cut_slot(brick);
+    if (slot >= 0) known_valid_[static_cast<std::size_t>(slot)] = 0;
+  });
   // A cell's sweeps are named by voxels beyond its faces, too.
   for (int z = from.z - 1; z <= high.z + 1; ++z)
     for (int y = from.y - 1; y <= high.y + 1; ++y)
