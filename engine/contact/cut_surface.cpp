@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/contact/field_readers.h"
+#include "engine/contact/swept_void.h"
 
 namespace cusp::engine {
 
@@ -257,7 +258,6 @@ void CutSurface::refresh(const Volume& volume, int brick, const CellsNear& cells
 /// Marks the features of the cut whose cells' voxels all name sweeps.
 void CutSurface::mark_swept(const Volume& volume, IVec3 corner) noexcept {
   if (!volume.keeps_sweeps()) return;
-  const Specimen& specimen = volume.specimen();
   int cell = -1;
   bool swept = false;
   for (std::size_t i = 0; i < made_count_; ++i) {
@@ -265,13 +265,8 @@ void CutSurface::mark_swept(const Volume& volume, IVec3 corner) noexcept {
     if (feature.field != Field::cut) continue;
     if (feature.cell != cell) {
       cell = feature.cell;
-      swept = true;
-      for (int k = 0; k < 8 && swept; ++k) {
-        const IVec3 v = corner + IVec3(cell & 7, cell >> 3 & 7, cell >> 6) + IVec3(k & 1, k >> 1 & 1, k >> 2);
-        const int brick = specimen.brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
-        const std::int32_t* ids = brick < 0 ? nullptr : volume.sweeps_of(brick);
-        swept = ids != nullptr && ids[brick_offset(v.x & 7, v.y & 7, v.z & 7)] != Volume::kNoSweep;
-      }
+      std::int32_t ids[8];
+      swept = sweeps_of_cell(volume, corner + IVec3(cell & 7, cell >> 3 & 7, cell >> 6), ids);
     }
     feature.swept = swept;
   }

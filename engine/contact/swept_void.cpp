@@ -35,6 +35,15 @@ void for_corners(const Specimen& specimen, IVec3 cell, Of&& of, Visit&& visit) n
 
 }  // namespace
 
+bool sweeps_of_cell(const Volume& volume, IVec3 cell, std::int32_t (&ids)[8]) noexcept {
+  bool all = true;
+  for_corners(volume.specimen(), cell, [&](int brick) { return volume.sweeps_of(brick); }, [&](int i, const std::int32_t* from, int offset) {
+    ids[i] = from == nullptr ? Volume::kNoSweep : from[offset];
+    all = all && ids[i] >= 0;
+  });
+  return all;
+}
+
 SweptVoid::SweptVoid(const Volume& volume, const Sweeps& sweeps)
     : sweeps_(sweeps),
       voxel_mm_(volume.grid().voxel_mm),
@@ -123,16 +132,6 @@ double SweptVoid::about_mm(const Volume& volume, Vec3 p) const noexcept {
   return (kBandVoxels - (low[0] + f.z * (low[1] - low[0])) * (2.0 * kBandVoxels / 65535.0)) * voxel_mm_;
 }
 
-/// The ids of a cell's voxels; false if one has none.
-bool SweptVoid::ids_of(const Volume& volume, IVec3 cell, std::int32_t (&ids)[8]) const noexcept {
-  bool all = true;
-  for_corners(volume.specimen(), cell, [&](int brick) { return volume.sweeps_of(brick); }, [&](int i, const std::int32_t* from, int offset) {
-    ids[i] = from == nullptr ? Volume::kNoSweep : from[offset];
-    all = all && ids[i] >= 0;
-  });
-  return all;
-}
-
 /// Adds those of the voxels beyond its faces to the ids of a cell's own voxels. Their number.
 int SweptVoid::names_about(const Volume& volume, IVec3 cell, std::int32_t (&ids)[kNames]) const noexcept {
   int names = 8;
@@ -213,8 +212,8 @@ const SweptRuns& SweptVoid::runs_at(const Volume& volume, Vec3 p, std::int32_t e
 }
 
 int SweptVoid::near(const Volume& volume, Vec3 p, std::int32_t end, SweepRun (&run)[8]) const noexcept {
-  std::int32_t ids[8] = {-1, -1, -1, -1, -1, -1, -1, -1};
-  ids_of(volume, cell_of_voxels((p - origin_mm_) / voxel_mm_), ids);
+  std::int32_t ids[8];
+  sweeps_of_cell(volume, cell_of_voxels((p - origin_mm_) / voxel_mm_), ids);
   int count = 0;
   for (const std::int32_t id : ids) {
     bool held = id < 0;
@@ -230,7 +229,7 @@ void SweptVoid::make(const Volume& volume, SweptRuns& out) const noexcept {
   out.known = out.near_base = false;
   out.newest = -1 - kAfter;
   std::int32_t ids[8];
-  if (!ids_of(volume, cell, ids)) return;
+  if (!sweeps_of_cell(volume, cell, ids)) return;
   const Specimen& specimen = volume.specimen();
   const int brick = specimen.brick_index({cell.x >> 3, cell.y >> 3, cell.z >> 3});
   const bool solid = (cell.x & 7) < 7 && (cell.y & 7) < 7 && (cell.z & 7) < 7 && specimen.s_of(brick) == nullptr;

@@ -18,6 +18,9 @@ struct Cutting {
   bool any() const noexcept { return uncarved.to >= uncarved.from; }
 };
 
+/// The sweeps that the voxels between `cell` and cell + 1 name. False if one names none.
+bool sweeps_of_cell(const Volume& volume, IVec3 cell, std::int32_t (&ids)[8]) noexcept;
+
 /// Sweeps about a cell.
 struct SweptRuns {
   static constexpr int kMost = 16;
@@ -65,7 +68,6 @@ class SweptVoid {
 
  private:
   void find_known(const Volume& volume, IVec3 at, Known& out) const noexcept;
-  bool ids_of(const Volume& volume, IVec3 cell, std::int32_t (&ids)[8]) const noexcept;
   static constexpr int kNames = 32;  // voxels that name sweeps: a cell's own and those beyond its faces
   int names_about(const Volume& volume, IVec3 cell, std::int32_t (&ids)[kNames]) const noexcept;
   int collect(const std::int32_t* ids, int names, std::int32_t end, SweepRun (&run)[kNames]) const noexcept;
