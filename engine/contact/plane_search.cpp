@@ -1,5 +1,7 @@
 #include "engine/contact/plane_search.h"
 
+#include <algorithm>
+
 namespace cusp::engine {
 
 namespace {
@@ -89,8 +91,8 @@ void start_on(Vec3 q, const Planes& planes, std::span<const int> start, Vec3 (&n
   int count = 0;
   for (const int i : start) {
     if (count == 3) break;
-    normal[count] = planes.n(i);
-    c[count] = planes.c(i);
+    normal[count] = planes.n(static_cast<std::size_t>(i));
+    c[count] = planes.c(static_cast<std::size_t>(i));
     out.index[count++] = i;
   }
   if (count == 0) return;
@@ -123,9 +125,37 @@ void leave(int a, Vec3 (&normal)[3], PlaneSearch& at) noexcept {
   --at.active;
 }
 
-/// Goldfarb and Idnani from a point that is best for its active planes. Planes: n(i), c(i), worst(y).
+struct FewPlanes {
+  std::span<const Plane> planes;
+  std::size_t size() const noexcept { return planes.size(); }
+  Vec3 n(std::size_t i) const noexcept { return planes[i].n; }
+  double c(std::size_t i) const noexcept { return planes[i].c; }
+  double slack(std::size_t i, Vec3 y) const noexcept { return n(i).x * y.x + n(i).y * y.y + n(i).z * y.z - c(i); }
+};
+
+/// The most violated plane that is not active yet; the lowest of equals.
 template <class Planes>
-PlaneSearch search(Vec3 q, const Planes& planes, std::span<const int> start) noexcept {
+int worst_of(const Planes& planes, const PlaneSearch& at, double tolerance_mm) noexcept {
+  const auto is_active = [&at](int i) { return std::find(at.index, at.index + at.active, i) != at.index + at.active; };
+  if constexpr (requires { planes.worst(at.y, tolerance_mm); }) {
+    const int found = planes.worst(at.y, tolerance_mm);
+    if (!is_active(found)) return found;
+    // An active plane, by rounding: the others one by one.
+  }
+  int worst = -1;
+  double most = -tolerance_mm;
+  for (int i = 0; i < static_cast<int>(planes.size()); ++i) {
+    const double slack = planes.slack(static_cast<std::size_t>(i), at.y);
+    if (!(slack < most) || is_active(i)) continue;
+    most = slack;
+    worst = i;
+  }
+  return worst;
+}
+
+/// Goldfarb and Idnani from a point that is best for its active planes.
+template <class Planes>
+PlaneSearch search(Vec3 q, const Planes& planes, double tolerance_mm, std::span<const int> start) noexcept {
   PlaneSearch out;
   out.y = q;
   Vec3 normal[3];
@@ -133,11 +163,11 @@ PlaneSearch search(Vec3 q, const Planes& planes, std::span<const int> start) noe
   bool anew = false;  // y has been put on its planes since the last one was added
   for (int round = 0; round < 48; ++round) {
     if (!(glm::dot(out.y, out.y) < kFar)) break;  // NaN too
-    const int worst = planes.worst(out);
+    const int worst = worst_of(planes, out, tolerance_mm);
     if (worst < 0) return out;
 
-    const Vec3 add_n = planes.n(worst);
-    const double add_c = planes.c(worst);
+    const Vec3 add_n = planes.n(static_cast<std::size_t>(worst));
+    const double add_c = planes.c(static_cast<std::size_t>(worst));
     double gained = 0.0;
     for (int inner = 0; inner < 4; ++inner) {
       const Split s = split(normal, out.active, add_n);
@@ -155,7 +185,7 @@ PlaneSearch search(Vec3 q, const Planes& planes, std::span<const int> start) noe
         }
         anew = true;
         double c[3];
-        for (int a = 0; a < out.active; ++a) c[a] = planes.c(out.index[a]);
+        for (int a = 0; a < out.active; ++a) c[a] = planes.c(static_cast<std::size_t>(out.index[a]));
         PlaneSearch on = out;
         if (out.active > 0 && on_all(q, normal, c, out.active, on)) out = on;
         break;
@@ -184,59 +214,14 @@ PlaneSearch search(Vec3 q, const Planes& planes, std::span<const int> start) noe
   return out;
 }
 
-/// The most violated of some planes that is not active yet; the lowest of equals.
-template <class Slack>
-int worst_of(int count, const PlaneSearch& at, double tolerance_mm, Slack&& slack_of) noexcept {
-  int worst = -1;
-  double most = -tolerance_mm;
-  for (int i = 0; i < count; ++i) {
-    const double slack = slack_of(i);
-    if (!(slack < most)) continue;
-    bool is_active = false;
-    for (int a = 0; a < at.active; ++a) is_active = is_active || at.index[a] == i;
-    if (is_active) continue;
-    most = slack;
-    worst = i;
-  }
-  return worst;
-}
-
-struct FewPlanes {
-  std::span<const Plane> planes;
-  double tolerance;
-  Vec3 n(int i) const noexcept { return planes[static_cast<std::size_t>(i)].n; }
-  double c(int i) const noexcept { return planes[static_cast<std::size_t>(i)].c; }
-  int worst(const PlaneSearch& at) const noexcept {
-    return worst_of(static_cast<int>(planes.size()), at, tolerance, [&](int i) {
-      const Plane& p = planes[static_cast<std::size_t>(i)];
-      return p.n.x * at.y.x + p.n.y * at.y.y + p.n.z * at.y.z - p.c;
-    });
-  }
-};
-
-struct ManyPlanes {
-  const PlaneSet& planes;
-  double tolerance;
-  Vec3 n(int i) const noexcept { return planes.n(static_cast<std::size_t>(i)); }
-  double c(int i) const noexcept { return planes.c(static_cast<std::size_t>(i)); }
-  int worst(const PlaneSearch& at) const noexcept {
-    const int found = planes.worst(at.y, tolerance);
-    for (int a = 0; a < at.active; ++a)
-      if (at.index[a] == found)  // an active plane, by rounding: the others one by one
-        return worst_of(static_cast<int>(planes.size()), at, tolerance,
-                        [&](int i) { return planes.slack(static_cast<std::size_t>(i), at.y); });
-    return found;
-  }
-};
-
 }  // namespace
 
 PlaneSearch closest_point(Vec3 q, std::span<const Plane> planes, double tolerance_mm) noexcept {
-  return search(q, FewPlanes{planes, tolerance_mm}, {});
+  return search(q, FewPlanes{planes}, tolerance_mm, {});
 }
 
 PlaneSearch closest_point(Vec3 q, const PlaneSet& planes, double tolerance_mm, std::span<const int> start) noexcept {
-  return search(q, ManyPlanes{planes, tolerance_mm}, start);
+  return search(q, planes, tolerance_mm, start);
 }
 
 int PlaneSet::worst(Vec3 y, double tolerance_mm) const noexcept {
