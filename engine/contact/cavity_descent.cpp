@@ -46,13 +46,12 @@ void CavityWalls::add_run(SweepRun run, Descent& d) const noexcept {
 }
 
 /// False where the cell is not known.
-bool CavityWalls::add_runs(const Volume& volume, const Cutting& cutting, Descent& d) noexcept {
-  const SweptRuns& runs = void_.runs_at(volume, d.x, cutting.end);
+bool CavityWalls::add_runs(const Volume& volume, Descent& d) noexcept {
+  const SweptRuns& runs = void_.runs_at(volume, d.x, cutting_.end);
   if (!runs.known) return false;
   if (runs.cell == d.cell) return true;
   d.cell = runs.cell;
   d.near_base = d.near_base || runs.near_base;
-  if (d.runs == 0 && cutting.any()) add_run(cutting.uncarved, d);
   for (int i = 0; i < runs.count; ++i) add_run(runs.run[i], d);
   return true;
 }
@@ -87,12 +86,12 @@ PlaneSearch CavityWalls::nearest_under(const Side* side, int sides, Vec3 wanted)
 
 /// Moves x to about the place nearest to `at` that all sides leave standing: under one side alone, a search at a sharp edge
 /// goes to and fro. False if it finds none.
-bool CavityWalls::settle(const Volume& volume, const Cutting& cutting, Vec3 at, Vec3& x) noexcept {
+bool CavityWalls::settle(const Volume& volume, Vec3 at, Vec3& x) noexcept {
   Descent d;
   d.x = x;
   for (int pass = 0; pass < kSettlePasses; ++pass) {
     work_ += kDescentWork;
-    if (!add_runs(volume, cutting, d)) return false;
+    if (!add_runs(volume, d)) return false;
     Side side[Descent::kMostRuns + 1];
     const PlaneSearch found = nearest_under(side, sides_at(volume, d, side), at - d.x);
     if (!found.feasible) return false;
@@ -182,11 +181,11 @@ double CavityWalls::most_gain(const Ball& ball, const Descent& d, Vec3 step) con
 }
 
 /// Moves along the line to the ball's centre until what is left begins. False where no side faces it.
-bool CavityWalls::to_surface(const Volume& volume, const Ball& ball, const Cutting& cutting, Descent& d) noexcept {
+bool CavityWalls::to_surface(const Volume& volume, const Ball& ball, Descent& d) noexcept {
   constexpr int kMost = 3;
   for (int pass = 0; pass < kMost; ++pass) {
     work_ += kDescentWork;
-    if (!add_runs(volume, cutting, d)) return false;
+    if (!add_runs(volume, d)) return false;
     d.sides = sides_at(volume, d, d.all);
     Vec3 to = ball.at - d.x;
     to /= length_of(to);
@@ -213,15 +212,14 @@ double CavityWalls::depth_of(std::int32_t sweep, Vec3 x, const Side* known, int 
 }
 
 /// Goes a step and back onto what is left. Where it comes no nearer, another side has taken over on its way.
-CavityWalls::Tried CavityWalls::try_step(const Volume& volume, const Ball& ball, const Cutting& cutting, Vec3 step,
-                                         Descent& d) noexcept {
+CavityWalls::Tried CavityWalls::try_step(const Volume& volume, const Ball& ball, Vec3 step, Descent& d) noexcept {
   const Vec3 from = d.x;
   const int count = d.sides;
   Side about[Descent::kMostRuns + 1];
   std::copy_n(d.all, count, about);
   d.x += step;
   Tried out{-kGoneMm, kShorter};
-  if (to_surface(volume, ball, cutting, d)) {
+  if (to_surface(volume, ball, d)) {
     out.gain_mm = length_of(from - ball.at) - length_of(d.x - ball.at);
     if (out.gain_mm >= kGainMm) return out;
     const Side& other = *std::max_element(d.all, d.all + d.sides, [](const Side& a, const Side& b) { return a.depth_mm < b.depth_mm; });
@@ -241,9 +239,10 @@ CavityWalls::Tried CavityWalls::try_step(const Volume& volume, const Ball& ball,
   return out;
 }
 
-void CavityWalls::descend(const Volume& volume, const Ball& ball, const Cutting& cutting, int steps, Descent& d) noexcept {
+void CavityWalls::descend(const Volume& volume, const Ball& ball, int steps, Descent& d) noexcept {
   const Vec3 start = d.x;
-  if (!to_surface(volume, ball, cutting, d)) return;
+  if (cutting_.any()) add_run(cutting_.uncarved, d);
+  if (!to_surface(volume, ball, d)) return;
   d.arrived = d.ended = true;
   double trust = kStepVoxels * voxel_mm_;
   for (int pass = 0; pass < steps; ++pass) {
@@ -255,7 +254,7 @@ void CavityWalls::descend(const Volume& volume, const Ball& ball, const Cutting&
     const double length = length_of(step);
     if (length > trust) step *= trust / length;
     if (most_gain(ball, d, step) < kGainMm) return;
-    const Tried tried = try_step(volume, ball, cutting, step, d);
+    const Tried tried = try_step(volume, ball, step, d);
     if (tried.gain_mm >= kGainMm) {
       trust = std::min(kStepVoxels * voxel_mm_, kTrustGrows * trust);
     } else {
@@ -295,8 +294,7 @@ CavityConstraint CavityWalls::constraint_of(const Ball& ball, const Descent& d) 
   return out;
 }
 
-double CavityWalls::refine(const Volume& volume, const Ball& ball, const Cutting& cutting, std::size_t constraint,
-                           Jump jump, int steps) noexcept {
+double CavityWalls::refine(const Volume& volume, const Ball& ball, std::size_t constraint, Jump jump, int steps) noexcept {
   const CavityConstraint from = constraints_[constraint];
   if (from.seen && (from.ended || steps < kMostSteps)) {
     const Vec3 moved = ball.at - from.seen_from;
@@ -304,7 +302,7 @@ double CavityWalls::refine(const Volume& volume, const Ball& ball, const Cutting
   }
   Descent d;
   d.x = from.foot;
-  descend(volume, ball, cutting, steps, d);
+  descend(volume, ball, steps, d);
   const double far = length_of(ball.at - d.x);
   if (!d.arrived && d.in_void) {
     if (from.sampled) places_[static_cast<std::size_t>(from.from)].dropped = true;

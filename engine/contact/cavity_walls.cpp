@@ -36,6 +36,7 @@ double CavityWalls::room_mm(const Ball& ball) const noexcept {
 }
 
 void CavityWalls::start(const Cutting& cutting) noexcept {
+  cutting_ = cutting;
   if (cutting.any()) feature_count_ = 0;
   ++cuttings_;
   past_count_ = past_sweeps_ = 0;
@@ -65,21 +66,21 @@ void CavityWalls::set_found(const Found& found) noexcept {
   }
 }
 
-Sweeps::Deepest CavityWalls::deepest(const SweptRuns& runs, const Cutting& cutting, Vec3 x) const noexcept {
+Sweeps::Deepest CavityWalls::deepest(const SweptRuns& runs, Vec3 x) const noexcept {
   Sweeps::Deepest out = sweeps_.deepest({runs.run, static_cast<std::size_t>(runs.count)}, x);
-  if (!cutting.any()) return out;
-  const Sweeps::Deepest uncarved = sweeps_.deepest(cutting.uncarved, x);
+  if (!cutting_.any()) return out;
+  const Sweeps::Deepest uncarved = sweeps_.deepest(cutting_.uncarved, x);
   return uncarved.depth_mm > out.depth_mm ? uncarved : out;
 }
 
 /// Keeps the place of what is left that is about the nearest to `at`. False if there is none within reach.
-bool CavityWalls::sample_at(const Volume& volume, std::int32_t end, Vec3 at) noexcept {
+bool CavityWalls::sample_at(const Volume& volume, Vec3 at) noexcept {
   Vec3 x = at, inwards(0.0);
   double curved = 0.0;
   bool met = false;
   for (int pass = 0; pass < kPlacePasses && !met; ++pass) {
     work_ += kPlaceWork;
-    const SweptRuns& runs = void_.runs_at(volume, x, end);
+    const SweptRuns& runs = void_.runs_at(volume, x, cutting_.end);
     if (!runs.known) return false;
     const Sweeps::Deepest deep = sweeps_.deepest({runs.run, static_cast<std::size_t>(runs.count)}, x);
     if (pass == 0) note_nearby(deep.sweep);
@@ -98,7 +99,7 @@ bool CavityWalls::sample_at(const Volume& volume, std::int32_t end, Vec3 at) noe
     // What another sweep takes of so short a way is a tenth of it.
     met = std::fabs(depth) < kPlaceMetMm;
   }
-  if (!met && !settle(volume, {{0, -1}, end}, at, x)) return false;
+  if (!met && !settle(volume, at, x)) return false;
   const Vec3 off = x - sampled_.centre;
   const double far = sampled_.radius_mm + sampled_.reach_mm;
   if (glm::dot(off, off) > far * far) return false;
@@ -107,7 +108,7 @@ bool CavityWalls::sample_at(const Volume& volume, std::int32_t end, Vec3 at) noe
 }
 
 /// Looks on the ridge where the walls of two places meet between them.
-void CavityWalls::sample_between(const Volume& volume, std::int32_t end, const Place& a, const Place& b) noexcept {
+void CavityWalls::sample_between(const Volume& volume, const Place& a, const Place& b) noexcept {
   const Vec3 way = b.at - a.at;
   const double length = length_of(way);
   if (length < kPlaceMetMm || place_count_ == places_.size()) return;
@@ -123,10 +124,10 @@ void CavityWalls::sample_between(const Volume& volume, std::int32_t end, const P
   if (rise_a <= 0.0 || rise_b <= 0.0) return;
   const double from_a = length * rise_b / (rise_a + rise_b), high = from_a * rise_a;
   if (high < kRidgeMm || high > length) return;
-  sample_at(volume, end, a.at + along * from_a + up * high);
+  sample_at(volume, a.at + along * from_a + up * high);
 }
 
-void CavityWalls::sample(const Volume& volume, std::int32_t end) noexcept {
+void CavityWalls::sample(const Volume& volume) noexcept {
   const Ball ball{sampled_.centre, sampled_.radius_mm, sampled_.reach_mm};
   place_count_ = 0;
   nearby_count_ = 0;
@@ -144,13 +145,13 @@ void CavityWalls::sample(const Volume& volume, std::int32_t end) noexcept {
     for (std::size_t q = 0; q < 4; ++q) {
       const Vec3 d = four.of[q], at = ball.at + ball.radius_mm * d;
       const double about = void_.about_mm(volume, at);
-      if (about < far && sample_at(volume, end, about > kPlaceFarMm ? at + about * d : at))
+      if (about < far && sample_at(volume, about > kPlaceFarMm ? at + about * d : at))
         place_at_[4 * k + q] = static_cast<std::int16_t>(place_count_ - 1);
     }
   }
   for (const BallDirections::Pair& pair : directions.pairs) {
     const std::int16_t a = place_at_[static_cast<std::size_t>(pair.a)], b = place_at_[static_cast<std::size_t>(pair.b)];
-    if (a >= 0 && b >= 0) sample_between(volume, end, places_[static_cast<std::size_t>(a)], places_[static_cast<std::size_t>(b)]);
+    if (a >= 0 && b >= 0) sample_between(volume, places_[static_cast<std::size_t>(a)], places_[static_cast<std::size_t>(b)]);
   }
 }
 
@@ -164,16 +165,16 @@ void CavityWalls::note_nearby(std::int32_t sweep) noexcept {
   if (glm::dot(off, off) < far * far) nearby_[nearby_count_++] = sweep;
 }
 
-void CavityWalls::find_past(const Volume& volume, const Ball& ball, const Cutting& cutting) noexcept {
+void CavityWalls::find_past(const Volume& volume, const Ball& ball) noexcept {
   // Those of the tick's earlier passes stay: constraints that come and go would keep a search from ending.
   if (past_count_ > kMostPast / 2) past_count_ = past_sweeps_ = 0;
-  if (cutting.any()) {
-    note_past(ball, cutting.uncarved.to);
-    note_past(ball, sweeps_.nearest(cutting.uncarved, ball.at).sweep);
+  if (cutting_.any()) {
+    note_past(ball, cutting_.uncarved.to);
+    note_past(ball, sweeps_.nearest(cutting_.uncarved, ball.at).sweep);
   }
   for (int i = 0; i < nearby_count_; ++i) note_past(ball, nearby_[i]);
   SweepRun run[8];
-  const int runs = void_.near(volume, ball.at, cutting.end, run);
+  const int runs = void_.near(volume, ball.at, cutting_.end, run);
   for (int k = 0; k < runs; ++k) note_past(ball, sweeps_.nearest(run[k], ball.at).sweep);
 }
 
@@ -214,9 +215,9 @@ void CavityWalls::keep(const Ball& ball) noexcept {
 }
 
 /// A feature that was made for another pose counts by its foot.
-void CavityWalls::add_feature(const Ball& ball, const Cutting& cutting, std::size_t i) noexcept {
+void CavityWalls::add_feature(const Ball& ball, std::size_t i) noexcept {
   CavityConstraint out = features_[i];
-  if (cutting.any() && sweeps_.holds(cutting.uncarved, out.foot, SweptVoid::kTakenMm)) return;
+  if (cutting_.any() && sweeps_.holds(cutting_.uncarved, out.foot, SweptVoid::kTakenMm)) return;
   out.from = static_cast<std::int32_t>(i);
   const Vec3 moved = ball.at - out.seen_from;
   out.seen = out.seen && glm::dot(moved, moved) < kSeenMm * kSeenMm;
@@ -231,18 +232,18 @@ void CavityWalls::add_feature(const Ball& ball, const Cutting& cutting, std::siz
   constraints_[count_++] = out;
 }
 
-void CavityWalls::add_place(const Ball& ball, const Cutting& cutting, std::int32_t i) noexcept {
+void CavityWalls::add_place(const Ball& ball, std::int32_t i) noexcept {
   const double r = ball.radius_mm;
   if (places_[static_cast<std::size_t>(i)].dropped) return;
   Vec3 at = places_[static_cast<std::size_t>(i)].at;
   const Vec3 before = ball.at - at;
   const double most = r + ball.slack_mm;
   if (glm::dot(before, before) > most * most) return;  // a sweep moves it away from its way, so from the ball
-  if (cutting.any()) {
+  if (cutting_.any()) {
     // What is not carved has moved it on.
     Place& place = places_[static_cast<std::size_t>(i)];
     if (place.moved_for != cuttings_) {
-      const Sweeps::Deepest deep = sweeps_.deepest(cutting.uncarved, at);
+      const Sweeps::Deepest deep = sweeps_.deepest(cutting_.uncarved, at);
       place.moved = deep.depth_mm > 0.0 ? at - deep.inwards * deep.depth_mm : at;
       place.moved_for = cuttings_;
     }
@@ -263,7 +264,7 @@ void CavityWalls::add_place(const Ball& ball, const Cutting& cutting, std::int32
 }
 
 /// Looks for the surface where what was found does not reach.
-void CavityWalls::look(const Volume& volume, const Ball& ball, const Cutting& cutting) noexcept {
+void CavityWalls::look(const Volume& volume, const Ball& ball) noexcept {
   const bool further = room_mm(ball) < ball.slack_mm;
   if (further) {
     const double margin = std::clamp(ball.slack_mm, kMarginMm, kMostMarginMm);
@@ -272,22 +273,22 @@ void CavityWalls::look(const Volume& volume, const Ball& ball, const Cutting& cu
   }
   if (places_made_) return;
   const int before = work_;
-  sample(volume, cutting.end);
+  sample(volume);
   // Places that a discarded cache held were counted when they were looked for.
   if (!further) work_ = before;
 }
 
-bool CavityWalls::near(const Volume& volume, const Ball& ball, const Cutting& cutting) noexcept {
-  look(volume, ball, cutting);
-  return place_count_ > 0 || cutting.any();
+bool CavityWalls::near(const Volume& volume, const Ball& ball) noexcept {
+  look(volume, ball);
+  return place_count_ > 0 || cutting_.any();
 }
 
-void CavityWalls::build(const Volume& volume, const Ball& ball, const Cutting& cutting) noexcept {
-  look(volume, ball, cutting);
+void CavityWalls::build(const Volume& volume, const Ball& ball) noexcept {
+  look(volume, ball);
   count_ = 0;
-  find_past(volume, ball, cutting);
-  for (std::size_t i = 0; i < feature_count_; ++i) add_feature(ball, cutting, i);
-  for (std::size_t i = 0; i < place_count_; ++i) add_place(ball, cutting, static_cast<std::int32_t>(i));
+  find_past(volume, ball);
+  for (std::size_t i = 0; i < feature_count_; ++i) add_feature(ball, i);
+  for (std::size_t i = 0; i < place_count_; ++i) add_place(ball, static_cast<std::int32_t>(i));
   work_ += static_cast<int>(place_count_ / 4);
 }
 

@@ -39,16 +39,16 @@ class CavityWalls {
     double slack_mm = 0.0;
   };
   /// True if build() would find any.
-  bool near(const Volume& volume, const Ball& ball, const Cutting& cutting) noexcept;
+  bool near(const Volume& volume, const Ball& ball) noexcept;
   /// Builds the constraints.
-  void build(const Volume& volume, const Ball& ball, const Cutting& cutting) noexcept;
+  void build(const Volume& volume, const Ball& ball) noexcept;
   std::span<const CavityConstraint> constraints() const noexcept { return {constraints_.data(), count_}; }
   /// Whether a feature whose place jumps gives up its old place, which holds a ball as well.
   enum class Jump : std::uint8_t { replaces, keeps_both };
   /// Makes the feature that a constraint of the last build() is a place of, for a ball at `at`. The next build() has it.
   /// How far the ball is off it; negative: it enters. steps: most of its descent; kMostSteps reach its end.
   static constexpr int kMostSteps = 10;
-  double refine(const Volume& volume, const Ball& ball, const Cutting& cutting, std::size_t constraint, Jump jump, int steps) noexcept;
+  double refine(const Volume& volume, const Ball& ball, std::size_t constraint, Jump jump, int steps) noexcept;
   /// A ball that cuts may lie this far from the end of its sweep: its cut pose is tied to the proxy.
   static constexpr double kTieMm = 5e-3;
   /// Where one sweep alone holds a ball: it stands within what a ball as wide or wider has swept.
@@ -60,7 +60,7 @@ class CavityWalls {
     Vec3 foot{0.0};       // of the sweep's wall, which nothing else has swept
   };
   /// Follows the sweep that holds the ball at ball.at towards the device.
-  Held held_by_sweep(const Volume& volume, const Ball& ball, Vec3 device, const Cutting& cutting) noexcept;
+  Held held_by_sweep(const Volume& volume, const Ball& ball, Vec3 device) noexcept;
   /// Poses near the ball where a ball at least as wide has cut: this one fits there too.
   std::span<const Vec3> past() const noexcept { return {past_, static_cast<std::size_t>(past_count_)}; }
   /// Pre: volume.has_cut(brick).
@@ -79,8 +79,13 @@ class CavityWalls {
   }
   /// To be called at each tick's begin. What was found last serves on where nothing has been cut since.
   void start(const Cutting& cutting) noexcept;
-  /// Sweeps that are not carved have grown.
-  void recut() noexcept { ++cuttings_; }
+  /// Sweeps that are not carved have grown, or some were carved.
+  void set_cutting(const Cutting& cutting) noexcept {
+    if (cutting.end != cutting_.end) release();
+    ++cuttings_;
+    cutting_ = cutting;
+  }
+  const Cutting& cutting() const noexcept { return cutting_; }
   /// Nothing that was found serves on.
   void release() noexcept {
     sampled_ = Sampled{};
@@ -146,24 +151,24 @@ class CavityWalls {
     int sides = 0;
   };
   static PlaneSearch nearest_under(const Side* side, int sides, Vec3 wanted) noexcept;
-  bool settle(const Volume& volume, const Cutting& cutting, Vec3 at, Vec3& x) noexcept;
-  bool to_surface(const Volume& volume, const Ball& ball, const Cutting& cutting, Descent& d) noexcept;
-  void look(const Volume& volume, const Ball& ball, const Cutting& cutting) noexcept;
-  void sample(const Volume& volume, std::int32_t end) noexcept;
-  bool sample_at(const Volume& volume, std::int32_t end, Vec3 at) noexcept;
-  void sample_between(const Volume& volume, std::int32_t end, const Place& a, const Place& b) noexcept;
+  bool settle(const Volume& volume, Vec3 at, Vec3& x) noexcept;
+  bool to_surface(const Volume& volume, const Ball& ball, Descent& d) noexcept;
+  void look(const Volume& volume, const Ball& ball) noexcept;
+  void sample(const Volume& volume) noexcept;
+  bool sample_at(const Volume& volume, Vec3 at) noexcept;
+  void sample_between(const Volume& volume, const Place& a, const Place& b) noexcept;
   void note_nearby(std::int32_t sweep) noexcept;
-  void find_past(const Volume& volume, const Ball& ball, const Cutting& cutting) noexcept;
+  void find_past(const Volume& volume, const Ball& ball) noexcept;
   void note_past(const Ball& ball, std::int32_t sweep) noexcept;
-  void add_feature(const Ball& ball, const Cutting& cutting, std::size_t i) noexcept;
-  void add_place(const Ball& ball, const Cutting& cutting, std::int32_t i) noexcept;
-  std::int32_t holder(const Ball& ball, std::int32_t about, const Cutting& cutting) const noexcept;
+  void add_feature(const Ball& ball, std::size_t i) noexcept;
+  void add_place(const Ball& ball, std::int32_t i) noexcept;
+  std::int32_t holder(const Ball& ball, std::int32_t about) const noexcept;
   bool along_way(const Ball& ball, Vec3 device, std::int32_t& sweep) const noexcept;
   void add_run(SweepRun run, Descent& d) const noexcept;
-  Sweeps::Deepest deepest(const SweptRuns& runs, const Cutting& cutting, Vec3 x) const noexcept;
-  bool add_runs(const Volume& volume, const Cutting& cutting, Descent& d) noexcept;
+  Sweeps::Deepest deepest(const SweptRuns& runs, Vec3 x) const noexcept;
+  bool add_runs(const Volume& volume, Descent& d) noexcept;
   int sides_at(const Volume& volume, const Descent& d, Side* out) noexcept;
-  void descend(const Volume& volume, const Ball& ball, const Cutting& cutting, int steps, Descent& d) noexcept;
+  void descend(const Volume& volume, const Ball& ball, int steps, Descent& d) noexcept;
   struct Step {
     Vec3 whole{0.0};    // under the sides that hold the place
     Vec3 to_wall{0.0};  // up to where another side takes over
@@ -175,7 +180,7 @@ class CavityWalls {
     double gain_mm = 0.0;  // so much nearer; without it the place has not moved
     double share = 0.0;    // of the step, which may gain
   };
-  Tried try_step(const Volume& volume, const Ball& ball, const Cutting& cutting, Vec3 step, Descent& d) noexcept;
+  Tried try_step(const Volume& volume, const Ball& ball, Vec3 step, Descent& d) noexcept;
   double depth_of(std::int32_t sweep, Vec3 x, const Side* known, int count) const noexcept;
   CavityConstraint constraint_of(const Ball& ball, const Descent& d) const noexcept;
 
@@ -185,6 +190,7 @@ class CavityWalls {
   Sampled sampled_;
   bool places_made_ = true;   // places_ are those of sampled_
   std::vector<Place> places_;
+  Cutting cutting_;
   std::uint32_t cuttings_ = 0;  // times that the cutting may have changed
   std::vector<std::int16_t> place_at_;  // [direction]: of places_; -1: none
   std::vector<CavityConstraint> features_;

@@ -18,10 +18,10 @@ constexpr int kHopWork = 16; // units of 25 ns
 }  // namespace
 
 /// The sweep near `about`, or of the cutting, that holds the ball; kNone if none does.
-std::int32_t CavityWalls::holder(const Ball& ball, std::int32_t about, const Cutting& cutting) const noexcept {
+std::int32_t CavityWalls::holder(const Ball& ball, std::int32_t about) const noexcept {
   Sweeps::Nearest found = sweeps_.nearest(sweeps_.about(about, kAbout, kAbout), ball.at);
-  if (cutting.any()) {
-    const Sweeps::Nearest uncarved = sweeps_.nearest(cutting.uncarved, ball.at);
+  if (cutting_.any()) {
+    const Sweeps::Nearest uncarved = sweeps_.nearest(cutting_.uncarved, ball.at);
     if (uncarved.distance_mm < found.distance_mm) found = uncarved;
   }
   return found.distance_mm <= sweeps_.radius_mm(found.sweep) - ball.radius_mm + kTieMm ? found.sweep : Sweeps::kNone;
@@ -49,18 +49,18 @@ bool CavityWalls::along_way(const Ball& ball, Vec3 device, std::int32_t& sweep) 
   return true;
 }
 
-CavityWalls::Held CavityWalls::held_by_sweep(const Volume& volume, const Ball& ball, Vec3 device, const Cutting& cutting) noexcept {
+CavityWalls::Held CavityWalls::held_by_sweep(const Volume& volume, const Ball& ball, Vec3 device) noexcept {
   Held out;
   const Vec3 way = device - ball.at;
   const double far = length_of(way);
   if (far < kAtDeviceMm) return out;
   const Vec3 front = ball.at + way * (ball.radius_mm / far);
-  const SweptRuns& first = void_.runs_at(volume, front, cutting.end);
+  const SweptRuns& first = void_.runs_at(volume, front, cutting_.end);
   if (!first.known) return out;
   work_ += kHopWork;
-  std::int32_t sweep = deepest(first, cutting, front).sweep;
+  std::int32_t sweep = deepest(first, front).sweep;
   if (sweep == Sweeps::kNone) return out;
-  sweep = holder(ball, sweep, cutting);
+  sweep = holder(ball, sweep);
   if (sweep == Sweeps::kNone || !along_way(ball, device, sweep)) return out;
   for (int hop = 0; hop < kHops; ++hop) {
     work_ += kHopWork;
@@ -74,9 +74,9 @@ CavityWalls::Held CavityWalls::held_by_sweep(const Volume& volume, const Ball& b
     out.gap_mm = distance - room;
     out.n = -to;
     out.foot = on + to * s.radius_mm;
-    const SweptRuns& runs = void_.runs_at(volume, out.foot, cutting.end);
+    const SweptRuns& runs = void_.runs_at(volume, out.foot, cutting_.end);
     if (!runs.known) return out;
-    const Sweeps::Deepest deep = deepest(runs, cutting, out.foot);
+    const Sweeps::Deepest deep = deepest(runs, out.foot);
     if (deep.sweep == sweep || deep.depth_mm <= SweptVoid::kTakenMm) {
       out.held = !runs.near_base || void_.base(volume, out.foot).d_mm < -SweptVoid::kBaseTakenMm;
       return out;

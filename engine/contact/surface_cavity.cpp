@@ -97,7 +97,7 @@ glm::dmat3 SurfaceContact::bend_of(const PlaneSearch& found, Vec3 at) const noex
 
 /// Adds the constraints of a ball in what balls have cut. An origin below 0 is one of walls_.
 void SurfaceContact::add_cavity(const Volume& volume, const Tool& tool, Vec3 at, double slack_mm) noexcept {
-  walls_.build(volume, {at, tool.bur->radius_mm - tool.thin_cut, slack_mm}, cutting_);
+  walls_.build(volume, {at, tool.bur->radius_mm - tool.thin_cut, slack_mm});
   candidates_left_ -= walls_.take_work();
   std::int32_t i = -1;
   for (const CavityConstraint& c : walls_.constraints()) {
@@ -138,7 +138,7 @@ void SurfaceContact::add_kept(Vec3 at) noexcept {
 
 /// All constraints within slack_mm of a ball at `at`: planes_ and origins_.
 void SurfaceContact::constrain_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, double slack_mm) noexcept {
-  gather(volume, tool, at, slack_mm, cutting_.any() ? kMarginCuttingMm : kMarginMm);
+  gather(volume, tool, at, slack_mm, walls_.cutting().any() ? kMarginCuttingMm : kMarginMm);
   build_constraints(volume, tool, at, slack_mm, at, slack_mm);
   const std::size_t own = planes_.size();
   add_cavity(volume, tool, at, slack_mm);
@@ -200,7 +200,7 @@ void SurfaceContact::note_in_cavity(const Volume& volume, const PlaneSearch& fou
 
 /// True if a ball at `from` comes near what balls have cut within a step.
 bool SurfaceContact::near_cavity(const Volume& volume, const Tool& tool, Vec3 from, double step) noexcept {
-  const bool near = walls_.near(volume, {from, tool.bur->radius_mm - tool.thin_cut, step + kNearCavityMm}, cutting_);
+  const bool near = walls_.near(volume, {from, tool.bur->radius_mm - tool.thin_cut, step + kNearCavityMm});
   candidates_left_ -= walls_.take_work();
   return near;
 }
@@ -213,7 +213,7 @@ bool SurfaceContact::refine_in_cavity(const Volume& volume, const Tool& tool, Ve
     const std::int32_t candidate = origins_[static_cast<std::size_t>(found.index[a])].candidate;
     if (candidate >= 0) continue;
     const auto i = static_cast<std::size_t>(-1 - candidate);
-    const double slack = walls_.refine(volume, {at, tool.bur->radius_mm - tool.thin_cut, 0.0}, cutting_, i, jump, steps);
+    const double slack = walls_.refine(volume, {at, tool.bur->radius_mm - tool.thin_cut, 0.0}, i, jump, steps);
     enters = enters || slack < -kEntersMm;
   }
   candidates_left_ -= walls_.take_work();
@@ -230,7 +230,7 @@ Contact SurfaceContact::solve_in_cavity(const Volume& volume, const Tool& tool, 
   bool arrived = false;
   int turns = 0;  // back, of the search
   kept_planes_.clear();
-  const int passes = cutting_.any() ? kPassesCutting : kPasses;
+  const int passes = walls_.cutting().any() ? kPassesCutting : kPasses;
   for (int pass = 0; pass < passes && !arrived && (pass == 0 || candidates_left_ > 0); ++pass) {
     candidates_left_ -= kCandidatesOfPass;
     const double room = walls_.room_mm({y, tool.bur->radius_mm - tool.thin_cut, 0.0}) - kBeyondTrustMm;

@@ -95,14 +95,9 @@ class SurfaceContact {
   /// To be called before a tick's first solve(); then set_cutting() after each change of the cutting.
   void start_tick(const Cutting& cutting) noexcept {
     reset_budget();
-    cutting_ = cutting;
     walls_.start(cutting);
   }
-  void set_cutting(const Cutting& cutting) noexcept {
-    if (cutting.end != cutting_.end) walls_.release();
-    walls_.recut();
-    cutting_ = cutting;
-  }
+  void set_cutting(const Cutting& cutting) noexcept { walls_.set_cutting(cutting); }
   /// State: CavityWalls::found().
   CavityWalls::Found found_in_cavity() const noexcept { return walls_.found(); }
   void set_found_in_cavity(const CavityWalls::Found& found) noexcept { walls_.set_found(found); }
@@ -387,7 +382,6 @@ class SurfaceContact {
   FieldCells fields_;
   const Sweeps& sweeps_;
   CavityWalls walls_;
-  Cutting cutting_;
   KeptPlanes kept_planes_;
   PlaneSet scaled_;                    // planes_ in the metric of a pass in the cavity
   std::vector<double> scale_;

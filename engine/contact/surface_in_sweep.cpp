@@ -35,7 +35,7 @@ bool SurfaceContact::shank_free(const Volume& volume, const Tool& tool, Vec3 pos
 /// False if the sweeps about the ball do not answer alone.
 bool SurfaceContact::solve_in_sweep(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, double moved_mm,
                                     Contact& out) noexcept {
-  const CavityWalls::Held held = walls_.held_by_sweep(volume, {from, tool.bur->radius_mm - tool.thin_cut, 0.0}, device, cutting_);
+  const CavityWalls::Held held = walls_.held_by_sweep(volume, {from, tool.bur->radius_mm - tool.thin_cut, 0.0}, device);
   candidates_left_ -= walls_.take_work();
   if (!held.held) return false;
   const double way = length_of(held.pose - from);

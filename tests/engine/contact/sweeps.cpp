@@ -261,9 +261,8 @@ TEST_F(Milled, constraints_hold_a_ball_off_the_floor_and_off_nothing_else) {
   int held = 0;
   for (int i = 0; i < 300; ++i) {
     const Vec3 at(x(random), y(random), -0.14);
-    const Cutting cutting{{0, -1}, sweeps.size()};
-    walls.start(cutting);
-    walls.build(volume, {at, kBall, 0.05}, cutting);
+    walls.start({{0, -1}, sweeps.size()});
+    walls.build(volume, {at, kBall, 0.05});
     for (const CavityConstraint& c : walls.constraints()) {
       ++held;
       EXPECT_NEAR(length(c.n), 1.0, 1e-9);
