@@ -213,6 +213,7 @@ def retention(desk, database):
         two_years = 731 * 86_400_000_000
         db.execute("UPDATE people SET created_at = created_at - ?", (two_years,))
         db.execute("UPDATE sessions SET started_at = started_at - ?", (two_years,))
+        db.execute("UPDATE audit_log SET at = at - ?", (two_years,))
         db.commit()
     nowhere = os.path.join(desk.path("no folder"), "erased.json")
     status, out, err = desk.run("retain", restored, "--years", "2", "--clock-is-right", "--json", nowhere, *as_admin, **secret)

@@ -8,8 +8,14 @@ namespace cusp::test {
 namespace {
 
 struct DepartedTest : OldAttempts {
-  /// The station has been in use for three weeks: the clock is believed.
-  void SetUp() override { enrolled("early", 21); }
+  DepartedTest() : OldAttempts(3000) {}
+  const Account lena = student;
+  /// After everything older: in use for three weeks, so that the clock is believed, and lena is no departed student.
+  void use_lately() {
+    student = lena;
+    attempt(21);
+    attempt(0);
+  }
   static std::vector<std::string> numbers(const std::vector<DepartedStudent>& students) {
     std::vector<std::string> out;
     for (const DepartedStudent& s : students) out.push_back(s.account.number);
@@ -28,15 +34,17 @@ constexpr int kThreeYears = 1096;  // 3 x 365.25 days are 1,095.75
 
 TEST_F(DepartedTest, are_students_whose_newest_attempt_is_older_than_the_school_says) {
   const Account gone = enrolled("gone", 3000), stays = enrolled("stays", 3000);
-  enrolled("never", kThreeYears);
-  enrolled("new", kThreeYears - 1);
-  student = gone;
-  attempt(kThreeYears);
   student = stays;
   attempt(3000);
+  enrolled("never", kThreeYears);
+  student = gone;
+  attempt(kThreeYears);
+  enrolled("new", kThreeYears - 1);
+  student = stays;
   attempt(kThreeYears - 1);
+  use_lately();
   const DepartedStudents found = must(departed_students(store->context(), admin, 3));
-  EXPECT_EQ(numbers(found.erasable), (Numbers{"gone", "never"})) << "20267314 and the staff are of today";
+  EXPECT_EQ(numbers(found.erasable), (Numbers{"gone", "never"})) << "20267314 is there, and the staff are no students";
   EXPECT_EQ(found.erasable[0].last_utc_us, kNow - kThreeYears * kDay_us);
   EXPECT_TRUE(found.waiting.empty());
   EXPECT_TRUE(store->accounts.find_number("gone")) << "a dry run erases nobody";
@@ -45,6 +53,7 @@ TEST_F(DepartedTest, are_students_whose_newest_attempt_is_older_than_the_school_
 TEST_F(DepartedTest, are_erased_like_anybody_and_their_attempts_verify) {
   student = enrolled("gone", 3000);
   attempt(kThreeYears);
+  use_lately();
   EXPECT_EQ(must(erase_departed(store->context(), admin, 3)).erasable.size(), 1u);
   EXPECT_EQ(code_of(store->accounts.find_number("gone")), StorageError::not_found);
   EXPECT_TRUE(must(departed_students(store->context(), admin, 3)).erasable.empty());
@@ -54,6 +63,7 @@ TEST_F(DepartedTest, are_erased_like_anybody_and_their_attempts_verify) {
 TEST_F(DepartedTest, who_came_back_after_they_were_listed_stay) {
   const Account back = enrolled("back", 3000);
   enrolled("gone", 3000);
+  use_lately();
   const auto other = open(folder / "a.db", quick(now));
   int asked = 0;
   // First for the list, then for the clock's doubt: by then the list is read.
@@ -68,6 +78,7 @@ TEST_F(DepartedTest, who_came_back_after_they_were_listed_stay) {
 
 TEST_F(DepartedTest, whose_erasure_a_write_ends_are_reported_with_what_ended_it) {
   for (const char* number : {"a", "b", "c"}) enrolled(number, kThreeYears);
+  use_lately();
   must(store->database().run("CREATE UNIQUE INDEX one_erased ON people (iif(name = '–', '', number))"));  // refuses the second
   const DepartedStudents erased = must(erase_departed(store->context(), admin, 3));
   EXPECT_EQ(erased.erasable.size(), 1u);
@@ -78,6 +89,7 @@ TEST_F(DepartedTest, whose_erasure_a_write_ends_are_reported_with_what_ended_it)
 
 TEST_F(DepartedTest, who_are_erased_when_the_watch_stops_are_named) {
   for (const char* number : {"a", "b", "c"}) enrolled(number, kThreeYears);
+  use_lately();
   int asked = 0;
   const DepartedStudents erased = must(erase_departed(store->context(), admin, 3, ClockTrust::checked, [&] { return ++asked < 3; }));
   EXPECT_TRUE(erased.stopped);
@@ -89,6 +101,7 @@ TEST_F(DepartedTest, who_are_erased_when_the_watch_stops_are_named) {
 TEST_F(DepartedTest, wait_while_an_assessment_of_theirs_is_not_released) {
   student = enrolled("sat", 3000);
   const SessionId sat = assessment(kThreeYears);
+  use_lately();
   EXPECT_EQ(numbers(must(erase_departed(store->context(), admin, 3)).waiting), Numbers{"sat"});
   EXPECT_TRUE(store->accounts.find_number("sat"));
   must(store->statements.release(instructor, sat));
@@ -97,6 +110,7 @@ TEST_F(DepartedTest, wait_while_an_assessment_of_theirs_is_not_released) {
 
 TEST_F(DepartedTest, stay_while_the_clock_is_far_ahead_of_every_record_until_it_is_confirmed) {
   enrolled("gone", 3000);
+  use_lately();
   *now = kNow + kLongestPause_us;
   EXPECT_FALSE(must(departed_students(store->context(), admin, 3)).doubt) << "a long vacation";
   attempt(-300);
@@ -113,6 +127,7 @@ TEST_F(DepartedTest, stay_while_the_clock_is_far_ahead_of_every_record_until_it_
 
 TEST_F(DepartedTest, stay_for_two_weeks_after_the_first_attempt_under_a_clock_far_ahead) {
   enrolled("gone", 3000);
+  use_lately();
   attempt(-1000);
   *now = kNow + 1001 * kDay_us;
   const auto doubt = must(departed_students(store->context(), admin, 3)).doubt;

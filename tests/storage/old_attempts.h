@@ -1,4 +1,4 @@
-/// A station whose clock the test sets: attempts that ended so many days ago.
+/// A station whose clock the test sets: attempts that ended so many days ago. Tests make the oldest first: the log has an order too.
 #pragma once
 
 #include <map>
@@ -13,8 +13,12 @@ namespace cusp::test {
 inline constexpr std::int64_t kDay_us = 86'400'000'000;
 
 struct OldAttempts : ::testing::Test {
+  /// The accounts are of that day. 150 days: before every attempt of these tests, and less than half a year ago, so that the clock is
+  /// believed.
+  explicit OldAttempts(int opened_days_ago = 150) : now{std::make_shared<std::int64_t>(kNow - opened_days_ago * kDay_us)} { *now = kNow; }
+
   Folder folder;
-  std::shared_ptr<std::int64_t> now = std::make_shared<std::int64_t>(kNow);
+  std::shared_ptr<std::int64_t> now;
   std::unique_ptr<Store> store = open(folder / "a.db", quick(now));
   Actor admin = make_administrator(*store).actor(), instructor = make_instructor(*store).actor();
   Account student = make_student(*store);

@@ -30,7 +30,7 @@ class School {
                    const Account& omar, SessionId first, SessionId second);
   SessionId sit_assessment(Store& store, CohortId cohort, const ScenarioVersion& version, const Account& student);
   void read_other_station(Store& store);
-  SessionId thin_an_old_attempt(Store& store, const ScenarioVersion& version, const Account& student);
+  SessionId thin_an_old_attempt(const ScenarioVersion& version, const Account& student);
   void keep_as(const std::string& name, Store& store);
   Folder folder_;
   SchoolTables tables_;

@@ -24,7 +24,7 @@ TEST_F(ThinningKilled, at_any_moment_leaves_each_recording_whole_or_thinned) {
   RecordProperty("seed", static_cast<int>(seed));
   std::mt19937 random(seed);
   constexpr int kAttempts = 40;
-  for (int i = 0; i < kAttempts; ++i) attempt(100 + i);
+  for (int i = 0; i < kAttempts; ++i) attempt(140 - i);
   store.reset();
   int killed = 0;
   for (int round = 0; round < 12; ++round) {

@@ -67,9 +67,8 @@ TEST_F(ThinningTest, leaves_its_length_to_the_report_and_one_code_to_all_who_nee
 }
 
 TEST_F(ThinningTest, leaves_whole_what_is_young_assessed_unfinished_ungraded_or_stated) {
-  const SessionId young = attempt(89), commented = attempt(91), ungraded = attempt(91, Upto::finished),
-                  broken_off = attempt(91, Upto::interrupted), confirmed = attempt(91), overridden = attempt(91),
-                  sat = assessment(91);
+  const SessionId commented = attempt(91), ungraded = attempt(91, Upto::finished), broken_off = attempt(91, Upto::interrupted),
+                  confirmed = attempt(91), overridden = attempt(91), sat = assessment(91), young = attempt(89);
   must(store->statements.comment(instructor, commented, "Look at the wall."));
   must(store->statements.confirm(instructor, confirmed));
   const SignedStatement override_ = must(store->statements.override_points(instructor, overridden, "target_removed", 20, "Worn."));
@@ -121,9 +120,9 @@ TEST_F(ThinningTest, reads_the_seals_of_an_attempt_along_their_index) {
 }
 
 TEST_F(ThinningTest, in_a_dry_run_finds_the_same_and_changes_nothing) {
-  attempt(91);
-  must(store->database().run("UPDATE grades SET score = 100 WHERE session = ?1", attempt(92)));
   attempt(93);
+  must(store->database().run("UPDATE grades SET score = 100 WHERE session = ?1", attempt(92)));
+  attempt(91);
   const auto before = must(store->database().first("SELECT entries FROM audit_head", [](Row row) { return row.integer(0); }));
   const ThinningReport would = thin(ThinningMode::dry_run);
   EXPECT_EQ(count("trace_chunks"), 9);
@@ -187,7 +186,7 @@ TEST_F(ThinningTest, gives_the_pages_back_and_drops_cached_key_states) {
 }
 
 TEST_F(ThinningTest, of_a_recording_without_a_row_that_holds_is_found) {
-  const SessionId whole = attempt(91), thinned = attempt(92);
+  const SessionId thinned = attempt(92), whole = attempt(91);
   must(thin_traces(store->context(), admin, {.older_than_days = 92, .mode = ThinningMode::carry_out}));
   ASSERT_TRUE(is_thinned(thinned));
   const auto first_of = [&](SessionId session, std::initializer_list<std::string> statements) {

@@ -43,7 +43,7 @@ Grade sample_grade(double score, double pass) {
   return grade;
 }
 
-DeskRecords::DeskRecords() {
+DeskRecords::DeskRecords(std::int64_t opened_utc_us) : now_us{opened_utc_us} {
   StoreOptions options;
   options.clock = [this] { return now_us; };
   options.cost = PasswordCost::least();

@@ -16,7 +16,7 @@ inline constexpr std::int64_t kMorning = 1'795'165'200'000'000;
 
 class DeskRecords {
  public:
-  DeskRecords();
+  explicit DeskRecords(std::int64_t opened_utc_us = kMorning);
   Store& store() { return *store_; }
   std::filesystem::path file() const;
 
@@ -33,7 +33,7 @@ class DeskRecords {
   /// An attempt that broke off, not graded.
   SessionId broken_attempt(const Account& student, const std::string& key);
 
-  std::int64_t now_us = kMorning;
+  std::int64_t now_us;
 
  private:
   Session begin(const Account& student, const std::string& key, double seconds, const std::string& device_class,

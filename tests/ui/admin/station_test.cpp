@@ -27,8 +27,15 @@ constexpr int kPatienceMs = 60'000;
 
 class Station : public testing::Test {
  protected:
-  Station() {
+  Station() : Station(kMorning) {}
+  explicit Station(std::int64_t opened_utc_us) : records(opened_utc_us) {
     admin = records.administrator();
+    if (opened_utc_us < kMorning) {
+      old_attempt = records.attempt(records.student("4712", "Omar Haddad"), "channel-1", 81, 60);
+      records.now_us = kMorning - 21 * std::int64_t{86'400'000'000};
+      records.student("4713", "Sana Ito");
+      records.now_us = kMorning;
+    }
     records.attempt(records.student("4711", "Lena Brandt"), "channel-1", 81, 60);
     ports.pick_file = [this](QWidget*, const FileWish& wish, std::function<void(const QString&)> then) {
       asked_for_folder = wish.what == FileWish::What::folder;
@@ -38,16 +45,6 @@ class Station : public testing::Test {
       asked = question;
       then(answer);
     };
-  }
-  /// An attempt of September 2001; the other one of this station is of November 2026, three weeks after an account.
-  SessionId old_attempt() {
-    const std::int64_t before = records.now_us;
-    records.now_us = before - 21 * std::int64_t{86'400'000'000};
-    records.student("4713", "Sana Ito");
-    records.now_us = 1'000'000'000'000'000;
-    const SessionId session = records.attempt(records.student("4712", "Omar Haddad"), "channel-1", 81, 60);
-    records.now_us = before;
-    return session;
   }
   /// Until its card has counted what ended before 5,000 days: since 2015, until 2040.
   static RecordingsCard& counted(StationPage& page) {
@@ -72,6 +69,7 @@ class Station : public testing::Test {
   }
 
   DeskRecords records;
+  SessionId old_attempt;
   QTemporaryDir folder;
   Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
   Account admin;
@@ -79,6 +77,12 @@ class Station : public testing::Test {
   QString chosen = folder.filePath(QStringLiteral("stick"));
   bool asked_for_folder = false, answer = true;
   std::optional<Question> asked;
+};
+
+/// With an attempt of September 2001; the other one is of November 2026, three weeks after an account.
+class OldStation : public Station {
+ protected:
+  OldStation() : Station(1'000'000'000'000'000) {}
 };
 
 TEST_F(Station, MakesABackupWhereItWasAskedTo) {
@@ -193,8 +197,7 @@ TEST_F(Station, LeavesTheFocusToTheButtonThatVerifies) {
   EXPECT_EQ(shown->focusWidget(), verify);
 }
 
-TEST_F(Station, CountsOldRecordingsAndThinsThemAfterAQuestion) {
-  old_attempt();
+TEST_F(OldStation, CountsOldRecordingsAndThinsThemAfterAQuestion) {
   const auto shown = page();
   RecordingsCard& card = counted(*shown);
   EXPECT_TRUE(card.found().startsWith(QStringLiteral("1 recording"))) << card.found().toStdString();
@@ -213,8 +216,7 @@ TEST_F(Station, CountsOldRecordingsAndThinsThemAfterAQuestion) {
   EXPECT_EQ(card.found().toStdString(), "No recording is that old.");
 }
 
-TEST_F(Station, SaysWhyARecordingWasNotThinned) {
-  old_attempt();
+TEST_F(OldStation, SaysWhyARecordingWasNotThinned) {
   const auto shown = page();
   RecordingsCard& card = counted(*shown);
   ASSERT_TRUE(refuse_rows(records.store().database(), "thinned_traces"));
@@ -225,9 +227,8 @@ TEST_F(Station, SaysWhyARecordingWasNotThinned) {
   EXPECT_EQ(recordings(), 2);
 }
 
-TEST_F(Station, AsksNothingIfNoOldRecordingVerifies) {
-  const SessionId session = old_attempt();
-  ASSERT_TRUE(records.store().database().run("UPDATE grades SET score = 100 WHERE session = ?1", session));
+TEST_F(OldStation, AsksNothingIfNoOldRecordingVerifies) {
+  ASSERT_TRUE(records.store().database().run("UPDATE grades SET score = 100 WHERE session = ?1", old_attempt));
   const auto shown = page();
   thin(counted(*shown));
   EXPECT_FALSE(asked);
@@ -235,8 +236,7 @@ TEST_F(Station, AsksNothingIfNoOldRecordingVerifies) {
   EXPECT_EQ(recordings(), 2);
 }
 
-TEST_F(Station, StopsThinningBeforeTheNextAttempt) {
-  old_attempt();
+TEST_F(OldStation, StopsThinningBeforeTheNextAttempt) {
   const auto progress = std::make_shared<ThinningProgress>();
   progress->stop = true;
   std::promise<Stored<ThinningReport>> promise;
@@ -250,7 +250,6 @@ TEST_F(Station, StopsThinningBeforeTheNextAttempt) {
 }
 
 TEST_F(Station, StandsInEachLook) {
-  old_attempt();
   in_each_look([&](const QString& name) {
     StationPage shown(records.store(), admin.actor(), settings, ports);
     shown.resize(px(1040), px(740));
