@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "storage/retention/log_order.h"
+
 namespace cusp::storage {
 namespace {
 
@@ -43,7 +45,12 @@ Stored<DepartedStudents> departed_students(StorageContext& context, const Actor&
   if (auto allowed = require(actor, Action::manage_accounts); !allowed) return std::unexpected(allowed.error());
   if (years < 1 || years > kMostRetainedYears) return fail(StorageError::bad_value, "years");
   const Snapshot snapshot(context.db);
-  const auto found = context.db.all(select_departed(" ORDER BY last, p.id"), found_in, context.clock() - years * kYear_us);
+  const std::int64_t now = context.clock(), before = now - years * kYear_us;
+  const auto young = first_sequence_since(context, before, now);
+  if (!young) return std::unexpected(young.error());
+  const auto found = context.db.all(select_departed(" AND NOT EXISTS (SELECT 1 FROM sessions s WHERE s.student = p.id AND s.station = ?2 "
+                                                    "AND s.sequence > ?3) ORDER BY last, p.id"),
+                                    found_in, before, context.station, *young);
   if (!found) return std::unexpected(found.error());
   auto doubt = clock_doubt(context);
   if (!doubt) return std::unexpected(doubt.error());

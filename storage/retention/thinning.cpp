@@ -6,6 +6,7 @@
 #include "storage/records/sealing.h"
 #include "storage/records/thinned_traces.h"
 #include "storage/repositories/current_rights.h"
+#include "storage/retention/log_order.h"
 
 namespace cusp::storage {
 namespace {
@@ -19,7 +20,7 @@ constexpr std::string_view kSelectOld =
     "(SELECT max(at) FROM session_events e WHERE e.session = s.id), "
     "EXISTS (SELECT 1 FROM grades g WHERE g.session = s.id), "
     "EXISTS (SELECT 1 FROM statements t WHERE t.session = s.id AND t.kind NOT IN ('comment', 'withdrawal', 'self_assessment')), "
-    "(SELECT links FROM session_heads h WHERE h.session = s.id) "
+    "(SELECT links FROM session_heads h WHERE h.session = s.id), s.sequence "
     "FROM session_summaries m INDEXED BY summaries_by_time JOIN sessions s ON s.id = m.session "
     "WHERE m.listed = 1 AND m.started_at <= ?1 AND EXISTS (SELECT 1 FROM trace_chunks c WHERE c.session = s.id)";
 
@@ -36,14 +37,14 @@ struct OldAttempt {
   std::optional<std::int64_t> finished_utc_us;
   std::int64_t last_utc_us = 0;
   bool graded = false, stated = false;
-  std::int64_t links = 0;
+  std::int64_t links = 0, sequence = 0;
 
   std::int64_t ended_utc_us() const noexcept { return finished_utc_us.value_or(last_utc_us); }
 };
 
 OldAttempt old_attempt(Row row) {
   return {row.id<SessionId>(0), row.flag(1), row.text(2), row.maybe_integer(3), row.integer(4),
-          row.flag(5),          row.flag(6), row.integer(7)};
+          row.flag(5),          row.flag(6), row.integer(7), row.integer(8)};
 }
 
 std::optional<KeptBecause> reason_to_keep(const OldAttempt& attempt) {
@@ -128,13 +129,16 @@ struct Chosen {
 Stored<Chosen> choose(StorageContext& context, const Actor& actor, int older_than_days) {
   if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
   if (older_than_days < 1 || older_than_days > kMostThinAfterDays) return fail(StorageError::bad_value, "days");
-  const std::int64_t before = context.clock() - older_than_days * kDay_us;
+  const std::int64_t now = context.clock(), before = now - older_than_days * kDay_us;
+  const auto young = first_sequence_since(context, before, now);
+  if (!young) return std::unexpected(young.error());
   auto old = context.db.all(select_old(" ORDER BY m.started_at, m.sequence"), old_attempt, before,
                             context.station);
   if (!old) return std::unexpected(old.error());
   Chosen out;
   for (OldAttempt& attempt : *old) {
     if (attempt.ended_utc_us() > before) continue;
+    if (attempt.own && attempt.sequence > *young) continue;
     if (const auto why = reason_to_keep(attempt)) {
       ++out.kept[static_cast<std::size_t>(*why)];
     } else {

@@ -45,7 +45,8 @@ struct OldTraces {
   KeptTraces kept{};                // without `broken`
 };
 
-/// Recordings of attempts that ended so many days ago, 1 to kMostThinAfterDays. Needs manage_station.
+/// Recordings of attempts that ended so many days ago, 1 to kMostThinAfterDays, by their dates and by the order of the log
+/// (log_order.h). Needs manage_station.
 Stored<OldTraces> old_traces(StorageContext& context, const Actor& actor, int older_than_days);
 
 enum class ThinningMode : std::uint8_t { dry_run, carry_out };

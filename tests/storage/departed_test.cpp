@@ -60,6 +60,18 @@ TEST_F(DepartedTest, are_erased_like_anybody_and_their_attempts_verify) {
   EXPECT_EQ(findings(), "");
 }
 
+TEST_F(DepartedTest, who_worked_yesterday_under_a_clock_seven_years_back_stay) {
+  const Account worked = enrolled("worked", 3000);
+  student = enrolled("gone", 3000);
+  attempt(8 * 365);
+  use_lately();
+  student = worked;
+  attempt(7 * 365);
+  EXPECT_EQ(numbers(must(departed_students(store->context(), admin, 3)).erasable), Numbers{"gone"});
+  EXPECT_EQ(numbers(must(erase_departed(store->context(), admin, 3)).erasable), Numbers{"gone"});
+  EXPECT_TRUE(store->accounts.find_number("worked"));
+}
+
 TEST_F(DepartedTest, who_came_back_after_they_were_listed_stay) {
   const Account back = enrolled("back", 3000);
   enrolled("gone", 3000);

@@ -85,6 +85,17 @@ TEST_F(ThinningTest, leaves_whole_what_is_young_assessed_unfinished_ungraded_or_
   EXPECT_EQ(thin().attempts, 0u) << "once";
 }
 
+TEST_F(ThinningTest, leaves_an_attempt_of_yesterday_whole_that_a_clock_seven_years_back_dated) {
+  const SessionId old = attempt(92);
+  attempt(2);
+  const SessionId yesterdays = attempt(7 * 365);
+  const ThinningReport report = thin();
+  EXPECT_EQ(report.attempts, 1u);
+  EXPECT_TRUE(is_thinned(old));
+  EXPECT_FALSE(is_thinned(yesterdays));
+  EXPECT_EQ(report.kept, KeptTraces{}) << "like every young one";
+}
+
 TEST_F(ThinningTest, names_an_attempt_that_does_not_verify_and_leaves_it) {
   const SessionId changed = attempt(92), resealed = attempt(92), good = attempt(91);
   must(store->database().run("UPDATE grades SET score = 100 WHERE session = ?1", changed));
