@@ -55,7 +55,7 @@ inline float least_lane(Lanes v) noexcept {
 #endif
 }
 
-/// Four 16-bit values in memory order, and back. Pre: 0 to 65535 in each lane.
+/// Four 16-bit values in memory order.
 inline LaneMask from_memory(std::uint64_t four) noexcept {
 #if defined(__SSE2__)
   const __m128i values = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(&four));
@@ -64,16 +64,6 @@ inline LaneMask from_memory(std::uint64_t four) noexcept {
   std::uint16_t values[kLanes];
   __builtin_memcpy(values, &four, sizeof values);
   return LaneMask{values[0], values[1], values[2], values[3]};
-#endif
-}
-inline void to_memory(LaneMask four, std::uint16_t* to) noexcept {
-#if defined(__SSE2__)
-  const __m128i half = _mm_set1_epi32(32768);
-  const __m128i low = _mm_sub_epi32(reinterpret_cast<__m128i>(four), half);
-  const __m128i packed = _mm_xor_si128(_mm_packs_epi32(low, low), _mm_set1_epi16(static_cast<short>(-32768)));
-  _mm_storel_epi64(reinterpret_cast<__m128i*>(to), packed);
-#else
-  for (int i = 0; i < kLanes; ++i) to[i] = static_cast<std::uint16_t>(four[i]);
 #endif
 }
 

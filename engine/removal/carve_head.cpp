@@ -231,8 +231,7 @@ class Carving {
     const Lanes clamped = most_of(least_of(s, all_lanes(1.0f)), Lanes{});
     const LaneMask solid = __builtin_convertvector(clamped * 65535.0f + 0.5f, LaneMask);
     const LaneMask was = from_memory(four);
-    const LaneMask lower = solid < was;
-    less = bits_of(lower) & meant;
+    less = bits_of(solid < was) & meant;
     if (less == 0) return Wrote::nothing;
     for (int i = 0; volume_.keeps_sweeps() && brick_.written && i < kLanes; ++i)
       if (less >> i & 1u) volume_.forget_sweep(brick_.index, o + i);
@@ -242,13 +241,8 @@ class Carving {
       brick_.known = brick_.values = values;
       brick_.written = true;
     }
-    const LaneMask now = lower ? solid : was;
-    if (meant == 0xf) {
-      to_memory(now, brick_.values + o);
-    } else {
-      for (int i = 0; i < kLanes; ++i)
-        if (less >> i & 1u) brick_.values[o + i] = static_cast<std::uint16_t>(now[i]);
-    }
+    for (int i = 0; i < kLanes; ++i)
+      if (less >> i & 1u) brick_.values[o + i] = static_cast<std::uint16_t>(solid[i]);
     return Wrote::some;
   }
 
