@@ -14,6 +14,7 @@ constexpr std::size_t kEntryBytes = 3 * 4 + 1;  // a place as saved
 constexpr double kNoWayMm = 1e-12;             // a place so near to a way has no direction to it
 constexpr float kRoundedMm = 1e-4f;           // far more than floats round a depth by, of places up to 100 mm from the middle
 constexpr float kBeyond = 1e30f;              // mm², further than any sweep
+constexpr double kMostRadiusMm = 100.0;       // of a kept sweep: no bur is as wide
 constexpr std::int32_t kLast = std::numeric_limits<std::int32_t>::max();  // after every id
 }  // namespace
 
@@ -312,7 +313,10 @@ bool Sweeps::load(std::span<const std::byte> bytes) {
   if (left() < 2) return false;
   const std::uint64_t open = get(1), radii = get(1);
   if (open > 3 || radii > kMostRadii || left() < 8 * radii + 4) return false;
-  for (std::uint64_t i = 0; i < radii; ++i) radii_.push_back(std::bit_cast<double>(get(8)));
+  for (std::uint64_t i = 0; i < radii; ++i) {
+    radii_.push_back(std::bit_cast<double>(get(8)));
+    if (!(radii_.back() > 0.0 && radii_.back() < kMostRadiusMm)) return false;
+  }
   const std::size_t places = get(4);
   if (places == 1 || places > room_ || left() != kEntryBytes * places) return false;
   for (std::size_t i = 0; i < places; ++i) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <limits>
 #include <random>
 
 #include "engine/contact/cavity_walls.h"
@@ -175,6 +177,11 @@ TEST(Sweeps, bytes_that_are_no_store_are_refused) {
   std::vector<std::byte> named = good;
   named.back() = std::byte{7};  // a radius that there is not
   EXPECT_FALSE(loaded.load(named));
+  for (const double radius_mm : {0.0, -0.4, 1e9, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    std::vector<std::byte> of_no_bur = good;
+    std::memcpy(&of_no_bur[2], &radius_mm, sizeof radius_mm);
+    EXPECT_FALSE(loaded.load(of_no_bur)) << radius_mm;
+  }
   Sweeps small(Vec3(0.0), 10);
   EXPECT_FALSE(small.load(good));
 }
