@@ -289,8 +289,8 @@ void CutSurface::put(Slot& slot) noexcept {
       if (room) {
         p = free_.back();
         free_.pop_back();
-      } else {
-        ++spare;
+      } else if (spare++ == pages_.size()) {
+        return;  // as many as made_ holds
       }
       (last < 0 ? first : pages_[static_cast<std::size_t>(last)].next) = p;
       pages_[static_cast<std::size_t>(p)].count = 0;
