@@ -233,16 +233,17 @@ class Carving {
     const LaneMask was = from_memory(four);
     less = bits_of(solid < was) & meant;
     if (less == 0) return Wrote::nothing;
-    for (int i = 0; volume_.keeps_sweeps() && brick_.written && i < kLanes; ++i)
-      if (less >> i & 1u) volume_.forget_sweep(brick_.index, o + i);
     if (!brick_.written) {
       std::uint16_t* values = volume_.cut_for_writing(brick_.index);
       if (values == nullptr) return Wrote::no_room;
       brick_.known = brick_.values = values;
       brick_.written = true;
     }
-    for (int i = 0; i < kLanes; ++i)
-      if (less >> i & 1u) brick_.values[o + i] = static_cast<std::uint16_t>(solid[i]);
+    for (int i = 0; i < kLanes; ++i) {
+      if ((less >> i & 1u) == 0) continue;
+      brick_.values[o + i] = static_cast<std::uint16_t>(solid[i]);
+      if (volume_.keeps_sweeps()) volume_.forget_sweep(brick_.index, o + i);
+    }
     return Wrote::some;
   }
 

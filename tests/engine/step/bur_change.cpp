@@ -5,6 +5,7 @@
 #include <ostream>
 #include <utility>
 
+#include "engine/removal/carve.h"
 #include "engine/step/state.h"
 #include "engine/tool/heads.h"
 #include "engine/tool/swept.h"
@@ -45,6 +46,31 @@ StepInput wanting(std::uint16_t bur, Vec3 device_mm, CutButton button = CutButto
   StepInput input = input_at(device_mm, button);
   input.bur = bur;
   return input;
+}
+
+TEST(BurChanges, leave_no_voxel_that_another_head_lowers_with_the_sweep_of_a_ball) {
+  auto specimen = Specimen::build(block_of(0.1), Reading::banded);
+  Volume volume(specimen);
+  volume.keep_sweeps();
+  Sweeps sweeps(Vec3(0.0), 1000);
+  const Vec3 from(-0.5, 0.0, 1.8), to(-0.45, 0.0, 1.8), below(0.0, 0.0, -0.2);
+  const std::int32_t id = sweeps.add(from, to, 0.5);
+  carve_run(volume, sweeps, {id, id});
+  const Volume before = volume;
+  carve_sweep(volume, from + below, to + below, with_head(0.5, flat_head(0.5, 0.5, 1.0)), Vec3(0.0, 0.0, 1.0));
+  int lowered = 0, naming = 0;
+  const IVec3 size = volume.grid().size;
+  IVec3 v;
+  for (v.z = 0; v.z < size.z; ++v.z)
+    for (v.y = 0; v.y < size.y; ++v.y)
+      for (v.x = 0; v.x < size.x; ++v.x) {
+        if (volume.cut(v) >= before.cut(v)) continue;
+        ++lowered;
+        const std::int32_t* ids = volume.sweeps_of(specimen->brick_index(v >> 3));
+        if (ids != nullptr && ids[brick_offset(v.x & 7, v.y & 7, v.z & 7)] != Volume::kNoSweep) ++naming;
+      }
+  EXPECT_GT(lowered, 2000);
+  EXPECT_EQ(naming, 0) << "a later ball would be held by a wall that is gone";
 }
 
 /// mm: how deep the deepest solid voxel's centre lies in the head.
