@@ -4,6 +4,7 @@
 #include <fstream>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
@@ -32,21 +33,31 @@ bool hold_the_same(const fs::path& a, const fs::path& b) {
   return one.eof() && other.eof();
 }
 
+/// Calls visit(piece), which may fail, for all that the file holds. read() reports what the disk refuses: an iterator of the stream's
+/// buffer throws it, and << of the buffer reports none once a part is written.
+template <class Visit>
+Stored<void> for_pieces(const fs::path& file, Visit&& visit) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return fail(StorageError::not_found, file.string());
+  std::string piece(kPieceBytes, '\0');
+  while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())) || in.gcount() > 0) {
+    if (Stored<void> taken = visit(std::string_view(piece).substr(0, static_cast<std::size_t>(in.gcount()))); !taken) return taken;
+  }
+  if (in.bad()) return fail(StorageError::io, file.string());
+  return {};
+}
+
 /// Makes the folder of `to`. The copy is whole or not there: a half one would take a volume's name.
 Stored<void> copy_volume(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::create_directories(to.parent_path(), error);
   if (error) return std::unexpected(failure_from(error, to.parent_path()));
-  std::ifstream in(from, std::ios::binary);
-  if (!in) return fail(StorageError::not_found, from.string());
   WholeFile out(to);
-  // Piece by piece: << of a stream's buffer reports no failure once a part of it is written.
-  std::string piece(kPieceBytes, '\0');
-  while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())) || in.gcount() > 0) {
-    const auto written = out.write(std::string_view(piece).substr(0, static_cast<std::size_t>(in.gcount())));
-    if (!written) return std::unexpected(failure_from(written.error(), to));
-  }
-  if (in.bad()) return fail(StorageError::io, from.string());
+  auto copied = for_pieces(from, [&](std::string_view piece) -> Stored<void> {
+    if (const auto written = out.write(piece); !written) return std::unexpected(failure_from(written.error(), to));
+    return {};
+  });
+  if (!copied) return copied;
   if (const auto done = out.finish(); !done) return std::unexpected(failure_from(done.error(), to));
   return {};
 }
@@ -88,16 +99,13 @@ Stored<bool> is_withdrawn(Store& store, const EditorModel& model) {
 }  // namespace
 
 Stored<std::vector<std::byte>> bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return fail(StorageError::not_found, file.string());
-  // read() and not an iterator of the stream's buffer, which throws what the disk refuses.
   std::vector<std::byte> out;
-  std::string piece(kPieceBytes, '\0');
-  while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())) || in.gcount() > 0) {
-    const auto read = std::as_bytes(std::span(piece).first(static_cast<std::size_t>(in.gcount())));
-    out.insert(out.end(), read.begin(), read.end());
-  }
-  if (in.bad()) return fail(StorageError::io, file.string());
+  const auto read = for_pieces(file, [&out](std::string_view piece) -> Stored<void> {
+    const auto bytes = std::as_bytes(std::span(piece));
+    out.insert(out.end(), bytes.begin(), bytes.end());
+    return {};
+  });
+  if (!read) return std::unexpected(read.error());
   return out;
 }
 
