@@ -10,15 +10,20 @@ namespace {
 
 constexpr std::int64_t kDay_us = 86'400'000'000;
 
-TEST(OldBackups, that_cannot_be_removed_are_named_and_keep_no_other_from_going) {
-  const Folder folder;
-  const auto now = std::make_shared<std::int64_t>(kNow);
-  const auto store = open(folder / "a.db", quick(now));
-  const Actor administrator = make_administrator(*store).actor();
-  const auto make = [&] {
+/// One a day.
+class OldBackups : public testing::Test {
+ protected:
+  Backup make() {
     *now += kDay_us;
     return must(make_backup(store->context(), administrator, folder / "backups"));
-  };
+  }
+  const Folder folder;
+  const std::shared_ptr<std::int64_t> now = std::make_shared<std::int64_t>(kNow);
+  const std::unique_ptr<Store> store = open(folder / "a.db", quick(now));
+  const Actor administrator = make_administrator(*store).actor();
+};
+
+TEST_F(OldBackups, that_cannot_be_removed_are_named_and_keep_no_other_from_going) {
   const Backup oldest = make(), stays = make();
   make();
   const Unremovable held(stays.folder);
@@ -30,15 +35,7 @@ TEST(OldBackups, that_cannot_be_removed_are_named_and_keep_no_other_from_going) 
   EXPECT_FALSE(std::filesystem::exists(oldest.folder));
 }
 
-TEST(OldBackups, that_a_link_leads_to_stay_whole_and_take_no_place_of_another) {
-  const Folder folder;
-  const auto now = std::make_shared<std::int64_t>(kNow);
-  const auto store = open(folder / "a.db", quick(now));
-  const Actor administrator = make_administrator(*store).actor();
-  const auto make = [&] {
-    *now += kDay_us;
-    return must(make_backup(store->context(), administrator, folder / "backups"));
-  };
+TEST_F(OldBackups, that_a_link_leads_to_stay_whole_and_take_no_place_of_another) {
   const Backup elsewhere = make(), oldest = make(), newest = make();
   std::filesystem::rename(elsewhere.folder, folder / "elsewhere");
   std::filesystem::create_directory_symlink(folder / "elsewhere", elsewhere.folder);
