@@ -27,8 +27,8 @@ struct Backup {
 
 /// A new folder in `into`, which is made at need. Needs manage_station, at the end as the records have it then; without an actor the
 /// program makes its daily one.
-/// The copy is opened, checked for damage and synced. After a failure no part of it is left, nor `into` if it was made for it. Removes what restore_backup() of the
-/// database left when it was cut off more than a day ago.
+/// The copy is opened, checked for damage and synced. After a failure no part of it is left, nor `into` if it was made for it.
+/// Removes what restore_backup() of the database left when it was cut off more than a day ago.
 Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& actor, const std::filesystem::path& into);
 
 /// Of this station, or of every one without a station, newest first: several may share a folder. Empty if the folder does not exist.
