@@ -27,8 +27,8 @@ struct DepartedStudents {
 /// Asked before each erasure; false ends it.
 using ErasureWatch = std::function<bool()>;
 
-/// No attempt for so many years of 365.25 days, 1 to kMostRetainedYears; the order of the log counts too (log_order.h). The school says
-/// how many. Needs manage_accounts.
+/// No attempt for so many years of 365.25 days, 1 to kMostRetainedYears; the order of the log counts too (log_order.h), also of accounts and
+/// of another station's attempts. The school says how many. Needs manage_accounts.
 Stored<DepartedStudents> departed_students(StorageContext& context, const Actor& actor, int years);
 
 /// Accounts::erase() of each who is erasable, and has begun no attempt meanwhile; returns who was erased. Fails if nobody was; a later

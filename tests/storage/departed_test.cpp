@@ -3,6 +3,7 @@
 
 #include "storage/retention/departed.h"
 #include "tests/storage/old_attempts.h"
+#include "tests/storage/two_stations.h"
 
 namespace cusp::test {
 namespace {
@@ -70,6 +71,15 @@ TEST_F(DepartedTest, who_worked_yesterday_under_a_clock_seven_years_back_stay) {
   EXPECT_EQ(numbers(must(departed_students(store->context(), admin, 3)).erasable), Numbers{"gone"});
   EXPECT_EQ(numbers(must(erase_departed(store->context(), admin, 3)).erasable), Numbers{"gone"});
   EXPECT_TRUE(store->accounts.find_number("worked"));
+}
+
+TEST_F(DepartedTest, who_were_enrolled_yesterday_under_a_clock_seven_years_back_stay) {
+  enrolled("gone", 8 * 365);
+  use_lately();
+  enrolled("new", 7 * 365);
+  EXPECT_EQ(numbers(must(departed_students(store->context(), admin, 3)).erasable), Numbers{"gone"});
+  EXPECT_EQ(numbers(must(erase_departed(store->context(), admin, 3)).erasable), Numbers{"gone"});
+  EXPECT_TRUE(store->accounts.find_number("new"));
 }
 
 TEST_F(DepartedTest, who_came_back_after_they_were_listed_stay) {
@@ -151,6 +161,52 @@ TEST_F(DepartedTest, stay_for_two_weeks_after_the_first_attempt_under_a_clock_fa
   attempt(-1014);
   *now = kNow + 1014 * kDay_us;
   EXPECT_FALSE(must(departed_students(store->context(), admin, 3)).doubt) << "in use for two weeks";
+}
+
+/// An office that reads a station's file eight years ago, or yesterday: the station's attempt is dated seven years back.
+struct DepartedElsewhere : TwoStations {
+  std::shared_ptr<std::int64_t> now = std::make_shared<std::int64_t>(kNow - 8 * 365 * kDay_us);
+  std::unique_ptr<Store> school = open(folder / "school.db", quick(now)), other = open(folder / "other.db", quick(now));
+  Actor head = make_administrator(*school, "head").actor();
+  Account gone = make_student(*other, "gone", "Omar Haddad");
+
+  /// Accounts that vouch for the school's clock, three weeks of it.
+  void use_lately() {
+    for (const int days_ago : {21, 0}) {
+      *now = kNow - days_ago * kDay_us;
+      must(school->accounts.create(head, {.number = "new " + std::to_string(days_ago), .name = "Lena Brandt"}));
+    }
+  }
+  void read_attempts() {
+    const std::filesystem::path file = next_file();
+    must(give_out(other->context(), {UserId::make(), Role::administrator}, ExchangeKind::results, file));
+    must(read_in(school->context(), head, file));
+  }
+  std::vector<std::string> erasable() {
+    std::vector<std::string> out;
+    for (const DepartedStudent& s : must(departed_students(school->context(), head, 3)).erasable) out.push_back(s.account.number);
+    return out;
+  }
+};
+
+TEST_F(DepartedElsewhere, are_gone_if_their_attempts_were_read_in_long_ago) {
+  must(trust(school->context(), head, key_of_station(*other), KeyRole::station));
+  complete_session(*other, gone, keep(*other));
+  read_attempts();
+  use_lately();
+  EXPECT_EQ(erasable(), std::vector<std::string>{"gone"});
+}
+
+TEST_F(DepartedElsewhere, stay_if_an_attempt_of_a_clock_seven_years_back_was_read_in_after_younger_entries) {
+  must(trust(school->context(), head, key_of_station(*other), KeyRole::station));
+  complete_session(*other, gone, keep(*other));
+  read_attempts();
+  use_lately();
+  *now = kNow - 7 * 365 * kDay_us;
+  complete_session(*other, gone, keep(*other));
+  *now = kNow;
+  read_attempts();
+  EXPECT_TRUE(erasable().empty());
 }
 
 TEST_F(DepartedTest, are_for_administrators_and_for_whole_years) {
