@@ -14,7 +14,7 @@ namespace cusp::scenarios {
 /// Goes where links lead to; a file that is there keeps its permissions. Writes straight to a pipe or a device.
 class WholeFile {
  public:
-  /// Begins FILE.part-DIGITS, which no other program writes, and removes what one that was killed left of the same name (left_parts.h).
+  /// Begins FILE.cusp-part-DIGITS, which no other program writes, and removes what one that was killed left in the folder (left_parts.h).
   /// If that fails, the first write() or close() does.
   explicit WholeFile(const std::filesystem::path& file);
   /// Removes what was not finished.

@@ -44,7 +44,7 @@ WholeFile::WholeFile(const fs::path& file) : real_{behind_file_links(file)} {
   const bool replaces = !fs::exists(there) || fs::is_regular_file(there);
   if (replaces) {
     part_ = real_;
-    part_ += ".part-" + Uuid::v7().text().substr(24);  // 12 random digits
+    part_ += std::string(kPartMark) + Uuid::v7().text().substr(24);  // 12 random digits
     constexpr int usual_mode = 0666;  // less what the umask takes
     descriptor_ = open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, usual_mode);
     if (descriptor_ < 0) {

@@ -1,4 +1,4 @@
-// Parts that killed writers left: the next write of the same file removes those of its own, a day later.
+// Parts that killed writers left: the next write into the folder removes them a day later, and nothing else.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -38,6 +38,23 @@ TEST(LeftParts, OfTheFileGoADayLaterAndAnythingElseStays) {
   std::set<std::string> left = others;
   left.insert(running);
   left.insert("v.nrrd");
+  EXPECT_EQ(names_in(folder.path()), left);
+}
+
+TEST(LeftParts, OfAnotherFileGoADayLaterIfNobodyElseNamesAFileSo) {
+  const TempFolder folder;
+  const std::string old = "results.csv.cusp-part-0123456789ab", running = "results.csv.cusp-part-ba9876543210", link = "link.cusp-part-0123456789ab";
+  const std::set<std::string> others = {"results.csv.part-0123456789ab",       "results.csv.cusp-part-0123456789AB", "results.csv.cusp-part-0123456789a",
+                                        "results.csv.cusp-part-0123456789abc", ".cusp-part-0123456789ab",            "results.csv.cusp-part-0123456789ab.csv"};
+  for (const std::string& name : others) write_text(folder / name, "somebody's");
+  for (const std::string& name : {old, running}) write_text(folder / name, "cut off");
+  fs::create_directory(folder / "folder.cusp-part-0123456789ab");
+  fs::create_symlink("results.csv.part-0123456789ab", folder / link);
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    if (entry.path().filename() != running) fs::last_write_time(entry.path(), fs::file_time_type::clock::now() - std::chrono::hours(25));
+  ASSERT_TRUE(write_nrrd(dexterity_block(0.4), folder / "v.nrrd"));
+  std::set<std::string> left = others;
+  left.insert({running, link, "folder.cusp-part-0123456789ab", "v.nrrd"});
   EXPECT_EQ(names_in(folder.path()), left);
 }
 

@@ -68,6 +68,21 @@ TEST(WholeFileTest, ThatWasCutOffGoesADayLaterWithTheNextOfItsName) {
   EXPECT_TRUE(fs::exists(running)) << "another program may write it";
 }
 
+TEST(WholeFileTest, ThatWasKilledBeforeItTookItsNameGoesADayLaterWithTheNextInItsFolder) {
+  const TempFolder folder;
+  WholeFile killed(folder / "results.csv");
+  ASSERT_TRUE(killed.write("rows"));
+  ASSERT_TRUE(killed.close());
+  const std::string part = *entries_of(folder).begin();
+  ASSERT_TRUE(killed.finish());
+  fs::rename(folder / "results.csv", folder / part);  // as a program leaves it that is killed after close()
+  ASSERT_TRUE(write_whole_file(folder / "other.csv", "rows"));
+  EXPECT_TRUE(fs::exists(folder / part));
+  fs::last_write_time(folder / part, fs::file_time_type::clock::now() - std::chrono::hours(25));
+  ASSERT_TRUE(write_whole_file(folder / "other.csv", "rows"));
+  EXPECT_EQ(entries_of(folder), std::set<std::string>{"other.csv"});
+}
+
 TEST(WholeFileTest, HasNoNameWhenItIsClosed) {
   const TempFolder folder;
   const fs::path file = folder / "rows.csv";
