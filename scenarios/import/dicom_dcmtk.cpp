@@ -342,6 +342,8 @@ Result<DicomSeries, ImportFailure> read(const std::filesystem::path& path, const
 }  // namespace
 
 bool looks_like_dicom(const std::filesystem::path& file) {
+  std::error_code ec;
+  if (!std::filesystem::is_regular_file(file, ec)) return false;  // a pipe would wait for its other end
   std::ifstream in(file, std::ios::binary);
   char head[132] = {};
   in.read(head, sizeof head);
@@ -360,7 +362,9 @@ Result<DicomSeries, ImportFailure> read_dicom(const std::filesystem::path& path,
   }();
   static_cast<void>(decoders);
   std::error_code ec;
-  if (!std::filesystem::exists(path, ec)) return fail(ImportError::missing_file, name);
+  const auto status = std::filesystem::status(path, ec);
+  if (!std::filesystem::exists(status)) return fail(ImportError::missing_file, name);
+  if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_directory(status)) return fail(ImportError::io, name);
   try {
     return read(path, limits, progress);
   } catch (const std::bad_alloc&) {

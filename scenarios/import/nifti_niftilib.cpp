@@ -118,6 +118,9 @@ bool long_enough(const nifti_image& n, std::uintmax_t needed) {
 Result<Image, ImportFailure> read_nifti(const std::filesystem::path& file, const VolumeLimits& limits,
                                         const ImportProgress& progress) {
   const std::string name = file.filename().string();
+  std::error_code ec;
+  const auto status = std::filesystem::status(file, ec);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return fail(ImportError::io, name);
   nifti_set_debug_level(0);
   const NiftiImage nifti(nifti_image_read(file.c_str(), 0));
   if (!nifti) return fail(ImportError::bad_header, name);
@@ -139,7 +142,6 @@ Result<Image, ImportFailure> read_nifti(const std::filesystem::path& file, const
   if (static_cast<std::size_t>(n.nvox) != voxels) return fail(ImportError::bad_sizes, name + " dim");
   // Of a pair it is another file than the header's.
   const std::filesystem::path data = n.iname ? std::filesystem::path(n.iname) : file;
-  std::error_code ec;
   if (!std::filesystem::exists(data, ec)) return fail(ImportError::missing_file, data.filename().string());
   const std::string data_name = data.filename().string();
   if (!long_enough(n, voxels * static_cast<std::size_t>(voxel_bytes))) return fail(ImportError::truncated, data_name);

@@ -198,6 +198,26 @@ def databases(desk):
     check(not os.path.exists(desk.path("v.nrrd")), "a failed import left a volume")
 
 
+def no_files(desk):
+    """A pipe that nobody writes to, a device, a folder and nothing: each verb refuses them at once where it wants a file."""
+    scenario, script, database = desk.small_exercise(), desk.small_script(1), desk.path("good.db")
+    session = desk.json("history", database, "list")[0]["session"]
+    pipe = desk.path("pipe")
+    os.mkfifo(pipe)
+    for name in (pipe, "/dev/zero", desk.folder, desk.path("nothing")):
+        for verb in (("play", name, "--script", script, "--out", desk.path("o")), ("audit", name), ("validate", name), ("import", name, "--list"),
+                     ("play", scenario, "--script", name, "--db", desk.path("s.db"), "--out", desk.path("o")),
+                     ("grade", name, "--operator", "reference"), ("grade", scenario, "--volume", name), ("grade", database, session, "--rubric", name),
+                     ("template", "fit", "class-1-adhesive", "--tooth", "36", "--volume", name, "--out", desk.path("fitted")),
+                     ("history", name, "list"), ("replay", name, session), ("grade", name, session), ("export", name), ("erase", name, "17"), ("thin", name),
+                     ("retain", name, "--years", "2"), ("appeal", name, session, desk.path("a.cusppack")), ("exchange", "keys", "--db", name),
+                     ("backup", name, desk.folder), ("restore", name, desk.path("r.db")), ("verify", name), ("verify", desk.path("a.cusppack"), "--db", name)):
+            refused(desk, f"{name} for {verb[0]}", *verb)
+    for ending in (".cusp", ".nrrd", ".mha", ".binvox", ".nii", ".dcm", ".stl", ".ply"):
+        os.mkfifo(pipe + ending)
+        refused(desk, f"a pipe named {ending}", *(("validate", pipe + ending) if ending == ".cusp" else ("import", pipe + ending, "--list")))
+
+
 def usage(desk):
     for arguments in (("play",), ("play", "channel-1"), ("replay", "--verify"), ("history", "x.db"), ("nonsense",),
                       ("specimen", "banana", "-o", "x"), ("replay", "x.db", "no-id"), ("audit",), ("audit", "channel-1", "--apply"),
@@ -393,6 +413,7 @@ with Desk(sys.argv[1]) as the_desk:
     audits(the_desk)
     audits_of_what_changes(the_desk)
     databases(the_desk)
+    no_files(the_desk)
     outputs(the_desk)
     unread_pipes(the_desk)
     causes(the_desk)

@@ -52,9 +52,11 @@ Result<Rubric, Message> read_rubric(const std::string& file, const Scenario& sce
     with.rubric = std::move(whole->rubric);
     return checked_rubric(file, with);
   }
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return std::unexpected(describe(FormatFailure{FormatError::unreadable, file, {}}));
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::unexpected(describe(FormatFailure{FormatError::unreadable, file, {}}));
-  // One byte too many is enough to be refused; a device has no end.
+  // One byte too many is enough to be refused.
   std::string text(kMaxScenarioBytes + 1, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(in.gcount()));

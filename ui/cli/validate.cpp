@@ -49,9 +49,10 @@ Result<Input, Message> open_input(const std::string& path) {
   if (names_exercise_file(path) && !std::filesystem::is_directory(file)) return open_file(path);
   if (std::filesystem::is_directory(file)) file /= "scenario.json";
   std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);
+  const auto size = std::filesystem::file_size(file, error);  // fails for a pipe, which would wait for its other end
+  if (error) return std::unexpected(describe(FormatFailure{FormatError::unreadable, file.string(), {}}));
   std::ifstream in(file, std::ios::binary);
-  if (error || !in) return std::unexpected(describe(FormatFailure{FormatError::unreadable, file.string(), {}}));
+  if (!in) return std::unexpected(describe(FormatFailure{FormatError::unreadable, file.string(), {}}));
   if (size > kMaxScenarioBytes) return std::unexpected(describe(FormatFailure{FormatError::too_large, file.string(), {}}));
   return Input{{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}, file.parent_path(), {}};
 }

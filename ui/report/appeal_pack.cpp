@@ -61,9 +61,11 @@ Message describe_pack_failure(const StorageFailure& f, const fs::path& file) {
   return f.where == file.string() ? cannot_write_pack(shown, f.detail) : describe(f);
 }
 
-/// nullopt: unreadable, or longer than `most`. A device has no end, and its size is 0.
+/// nullopt: unreadable, or longer than `most`, or no file: a pipe would wait for its other end, and a device may have none.
 std::optional<std::string> bytes_of(const fs::path& path, std::size_t most) {
   constexpr qint64 kBlock = 1 << 20;
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return std::nullopt;
   QFile file(QString::fromStdString(path.string()));
   if (!file.open(QIODevice::ReadOnly) || file.size() > static_cast<qint64>(most)) return std::nullopt;
   std::string out;

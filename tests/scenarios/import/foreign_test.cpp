@@ -1,5 +1,6 @@
 // CT series as others write them; the files are made here, byte by byte.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "scenarios/import/foreign_images.h"
 #include "scenarios/import/import.h"
@@ -32,6 +33,12 @@ struct Dicom : ::testing::Test {
   }
   void put(const std::string& name, const DicomWish& w) const { write_text(folder / name, dicom_file(w)); }
 };
+
+TEST_F(Dicom, InWhosePlaceAPipeLiesWaitsForNobody) {
+  for (const char* name : {"slice", "slice.dcm"}) ASSERT_EQ(::mkfifo((folder / name).c_str(), 0600), 0);
+  EXPECT_EQ(file_kind(folder / "slice"), FileKind::unknown);
+  EXPECT_EQ(read_dicom(folder / "slice.dcm", {}).error().code, ImportError::io);
+}
 
 TEST_F(Dicom, SlicesStandInTheOrderOfTheirPlacesWhateverTheirNames) {
   // Named without zeros in front, so that 10 stands before 2, and in an order that is none.

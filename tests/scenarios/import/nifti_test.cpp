@@ -1,5 +1,6 @@
 // NIfTI as others write it; the files are made here, byte by byte.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <limits>
 
@@ -40,6 +41,11 @@ TEST_F(Nifti, AnAffineWithNegativeAxesIsTurnedNotMirrored) {
   EXPECT_EQ(value_at(*image, 0, 0, 3), 321.0f);
   EXPECT_TRUE(image->spacing_known && image->sides_known);
   EXPECT_EQ(image->layout.turned_degrees, 0.0);
+}
+
+TEST_F(Nifti, InWhosePlaceAPipeLiesWaitsForNobody) {
+  ASSERT_EQ(::mkfifo((folder / "v.nii").c_str(), 0600), 0);
+  EXPECT_EQ(read_nifti(folder / "v.nii", {}).error().code, ImportError::io);
 }
 
 TEST_F(Nifti, WithoutAnAffineTheSpacingsAloneHoldAndUnitsAreKept) {
