@@ -216,6 +216,11 @@ def no_files(desk):
     for ending in (".cusp", ".nrrd", ".mha", ".binvox", ".nii", ".dcm", ".stl", ".ply"):
         os.mkfifo(pipe + ending)
         refused(desk, f"a pipe named {ending}", *(("validate", pipe + ending) if ending == ".cusp" else ("import", pipe + ending, "--list")))
+    with open("/dev/zero", "rb") as endless:
+        done = subprocess.run([desk.cusp, "history", database, "list", "--as", "nobody"], stdin=endless, capture_output=True, text=True, timeout=HUNG_S,
+                              env=desk.environment())
+    check(done.returncode == 1 and done.stdout == "", f"a password without an end: exit {done.returncode}: {done.stdout}{done.stderr}")
+    one_sentence(done.stderr, "a password without an end")
 
 
 def usage(desk):

@@ -5,7 +5,7 @@
 
 namespace cusp::ui {
 
-/// One line of stdin; when that is a terminal, asked for on stderr and not shown while it is typed.
+/// One line of stdin, its first kilobyte; when that is a terminal, asked for on stderr and not shown while it is typed.
 std::string read_secret(const std::string& prompt);
 
 /// A share done, 0 to 1, in one line on stderr that is written over; nothing where stderr is no terminal.

@@ -1,12 +1,18 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <cstddef>
 #include <cstdio>
 #include <iostream>
 
 #include "ui/cli/terminal.h"
 
 namespace cusp::ui {
+
+namespace {
+/// Bytes: one more than an acceptable password (storage/base/password.h), so that a longer one cut here matches none.
+constexpr std::size_t kMostSecret = 1025;
+}  // namespace
 
 std::string read_secret(const std::string& prompt) {
   termios before{};
@@ -18,7 +24,8 @@ std::string read_secret(const std::string& prompt) {
     tcsetattr(STDIN_FILENO, TCSAFLUSH, &silent);
   }
   std::string line;
-  std::getline(std::cin, line);
+  // A device may send no line's end.
+  for (char c = 0; line.size() < kMostSecret && std::cin.get(c) && c != '\n';) line += c;
   if (terminal) {
     tcsetattr(STDIN_FILENO, TCSAFLUSH, &before);
     std::fputc('\n', stderr);
