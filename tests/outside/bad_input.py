@@ -68,6 +68,11 @@ def scenarios(desk):
     for script in (desk.folder, "/dev/zero"):
         refused(desk, f"{script} as a script", "play", "channel-1", "--script", script, "--db", desk.path("s.db"), "--out", desk.path("o"),
                 names=(script, "cannot be read"))
+    with open(desk.path("endless.csv"), "wb") as f:
+        f.truncate(1 << 34)  # of zeros that the disk need not hold
+    refused(desk, "a script larger than memory", "play", "channel-1", "--script", desk.path("endless.csv"), "--db", desk.path("s.db"),
+            "--out", desk.path("o"), names=("endless.csv", "larger"))
+    os.remove(desk.path("endless.csv"))
     refused(desk, "a device without an end as a pack", "verify", "/dev/zero", names=("/dev/zero", "cannot be read"))
     with open(desk.path("bad.csv"), "w", encoding="utf-8") as f:
         f.write("elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal\n1000,0,0,zero,0,0,0,32767,0,0\n")

@@ -61,6 +61,9 @@ std::optional<int> check_device(const PlayOptions& o, const DeviceChoice& device
   return std::nullopt;
 }
 
+/// Bytes of a recording: five hours of a row a millisecond, of 50 bytes. It is read into memory.
+constexpr std::uintmax_t kMostScript = std::uintmax_t{1} << 30;
+
 /// The port that --script names, a scripted operator or a file; a status where it is neither.
 std::optional<int> take_script(const PlayOptions& o, SessionPlan& plan, PlaySettings& settings, std::unique_ptr<HapticPort>& port) {
   if (auto scripted = operator_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
@@ -71,6 +74,9 @@ std::optional<int> take_script(const PlayOptions& o, SessionPlan& plan, PlaySett
   }
   if (o.seed_typed) return wrong_usage(CliText::tr("--seed belongs to a scripted operator, and %1 is none.").arg(QString::fromStdString(o.script)));
   const std::filesystem::path file(o.script);
+  std::error_code error;
+  if (const auto bytes = std::filesystem::file_size(file, error); !error && bytes > kMostScript)
+    return failed(describe(ImportFailure{ImportError::too_large, o.script, {}}));
   auto trace = std::make_unique<CsvPort>(file, Pacing::at_once);
   // Each row brings its own length; the loop asks once a sample, in order.
   settings.elapsed_us = [rows = trace.get(), next = std::size_t{0}]() mutable { return rows->rows()[next++].elapsed_us; };
