@@ -4,6 +4,7 @@
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
 #include "storage/repositories/current_rights.h"
+#include "storage/repositories/erasure.h"
 
 namespace cusp::storage {
 namespace {
@@ -36,6 +37,7 @@ Stored<void> Cohorts::add_all(const Actor& actor, CohortId cohort, std::span<con
   require_now(transaction, actor.id, Action::manage_cohorts);
   AuditWriter log(c_, transaction);
   for (const UserId& student : students) {
+    require_not_erased(transaction, student);
     transaction.run("INSERT INTO cohort_students (cohort, student) VALUES (?1, ?2) ON CONFLICT DO NOTHING", cohort, student);
     log.add({.actor = actor.id, .action = "cohort_joined", .subject = student.uuid, .detail = cohort.text()});
   }

@@ -25,7 +25,7 @@ class Cohorts {
   /// These need manage_cohorts.
   Stored<Cohort> create(const Actor& actor, const std::string& name);  // duplicate, bad_value
   Stored<void> add(const Actor& actor, CohortId cohort, UserId student);
-  /// All or none.
+  /// All or none. not_found (where = people) for one who was erased.
   Stored<void> add_all(const Actor& actor, CohortId cohort, std::span<const UserId> students);
   Stored<void> remove(const Actor& actor, CohortId cohort, UserId student);
 

@@ -3,6 +3,7 @@
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
 #include "storage/records/seals.h"
+#include "storage/repositories/accounts.h"
 
 namespace cusp::storage {
 namespace {
@@ -39,6 +40,11 @@ void erase_statement_texts(StorageContext& context, Transaction& transaction, co
 }
 
 }  // namespace
+
+void require_not_erased(Transaction& transaction, UserId user) {
+  const std::string erased = "SELECT 1 FROM people WHERE id = ?1 AND number = " + std::string(kErasedNumber);
+  if (transaction.first(erased, [](Row) { return true; }, user)) transaction.refuse({StorageError::not_found, "people", user.text()});
+}
 
 void leave_cohorts(StorageContext& context, Transaction& transaction, const Actor& actor, UserId user) {
   if (!transaction.ok()) return;

@@ -149,6 +149,9 @@ TEST_F(AccountsTest, who_was_erased_at_another_window_gets_nothing_back_from_a_l
   EXPECT_EQ(code_of(accounts.set_password(admin, lena.id, "", "battery staple")), StorageError::not_found);
   EXPECT_EQ(code_of(accounts.set_role(admin, lena.id, Role::student)), StorageError::not_found);
   EXPECT_EQ(code_of(accounts.enable(admin, lena.id)), StorageError::not_found);
+  const CohortId cohort = must(store->cohorts.create(admin, "Year 2")).id;
+  EXPECT_EQ(code_of(store->cohorts.add(admin, cohort, lena.id)), StorageError::not_found);
+  EXPECT_TRUE(must(store->cohorts.students(cohort)).empty());
   const Account left = must(accounts.find(lena.id));
   EXPECT_EQ(left.number, erased_number(lena.id));
   EXPECT_EQ(left.name, "–");
