@@ -7,6 +7,7 @@
 #include "storage/records/sealing.h"
 #include "storage/records/session_summary.h"
 #include "storage/repositories/current_rights.h"
+#include "storage/repositories/erasure.h"
 #include "storage/repositories/session_state.h"
 
 namespace cusp::storage {
@@ -28,6 +29,12 @@ std::optional<EffectiveGrade> counted(Transaction& transaction, SessionId sessio
   return out;
 }
 
+/// Erasing took what was written about the student: nothing is written after it.
+void require_student(Transaction& transaction, SessionId session) {
+  const auto student = transaction.first("SELECT student FROM sessions WHERE id = ?1", [](Row row) { return row.id<UserId>(0); }, session);
+  if (student) require_not_erased(transaction, *student);
+}
+
 /// Of a withdrawal the right is that for what it withdraws: every role has drill.
 Action right_for(StatementKind kind) noexcept {
   if (kind == StatementKind::comment) return Action::comment;
@@ -42,6 +49,7 @@ Stored<SignedStatement> Statements::state(const Actor& actor, SignedStatement st
   Transaction transaction(c_.db);
   require_now(transaction, actor.id, right_for(statement.kind));
   require_state(transaction, statement.session, Need::not_running);
+  if (!statement.text.empty()) require_student(transaction, statement.session);
   if (transaction.ok()) check(transaction, statement);
   insert_statement(c_, transaction, statement);
   if (transaction.ok()) follow_event(transaction, statement.session);

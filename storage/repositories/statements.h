@@ -1,6 +1,6 @@
 /// What examiners and instructors state about a session: comments, overrides, confirmation, release, withdrawal; and what its
 /// student states: the own assessment. Each is a signed row that stays (storage/records/statement_rows.h). Every write refuses
-/// while the session runs (wrong_state).
+/// while the session runs (wrong_state), and one with a text once its student was erased (not_found, where = people).
 #pragma once
 
 #include <cstdint>

@@ -290,6 +290,19 @@ TEST_F(StatementsTest, erasing_a_student_leaves_no_name_and_no_text_in_the_file_
   }
 }
 
+TEST_F(StatementsTest, who_was_erased_at_another_window_while_the_attempt_is_marked_gets_no_text) {
+  const SessionId id = complete_session(*store, lena, version, 68);
+  const SignedStatement worn = must(statements().override_points(instructor, id, "target_removed", 20, "Worn."));
+  must(open(folder / "a.db")->accounts.erase(administrator, lena.id));
+  EXPECT_EQ(statements().comment(instructor, id, "Lena did well.").error().where, "people");
+  EXPECT_EQ(code_of(statements().override_points(instructor, id, "target_removed", 19, "Lena was late.")), StorageError::not_found);
+  EXPECT_EQ(code_of(statements().withdraw(instructor, id, worn.id, "It was Lena's.")), StorageError::not_found);
+  must(statements().confirm(instructor, id));
+  EXPECT_EQ(*must(store->database().first("SELECT count(*) FROM statement_texts", [](Row row) { return row.integer(0); })), 0);
+  EXPECT_EQ(row_of(id).score, 70);
+  expect_whole();
+}
+
 TEST_F(StatementsTest, a_text_that_is_taken_out_by_hand_is_no_erasure) {
   const SessionId id = complete_session(*store, lena, version);
   must(statements().comment(instructor, id, "Well done."));
