@@ -211,6 +211,7 @@ Stored<int> History::attempts(const Actor& actor, UserId student, ScenarioId sce
 }
 
 Stored<std::vector<HistoryRow>> History::of_assignment(const Actor& actor, AssignmentId assignment) {
+  const Snapshot snapshot(c_.db);
   const auto sessions =
       sees_withheld(actor)
           ? c_.db.all("SELECT session FROM session_summaries INDEXED BY summaries_of_assignment WHERE assignment = ?1 "

@@ -149,7 +149,7 @@ class History {
   /// not_allowed (where = withheld) while the session's result is withheld from the actor; else as require_reading(). A session
   /// without a summary counts as released.
   Stored<void> may_read_result(const Actor& actor, SessionId session);
-  /// The attempts of an assignment, by student, oldest first; without see_all_results the actor's own.
+  /// The attempts of an assignment as of one moment, by student, oldest first; without see_all_results the actor's own.
   Stored<std::vector<HistoryRow>> of_assignment(const Actor& actor, AssignmentId assignment);
   /// Interrupted sessions of this student on this station, newest first, without a grade and recorded by this engine version. Each can be
   /// graded as it stands, and resumed on a device of the row's class unless it keeps a volume.

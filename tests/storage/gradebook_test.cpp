@@ -3,6 +3,7 @@
 
 #include "storage/export/gradebook.h"
 #include "tests/storage/sample.h"
+#include "tests/storage/statements_seen.h"
 
 namespace cusp::test {
 namespace {
@@ -51,6 +52,21 @@ TEST_F(GradebookTest, holds_the_best_released_result_of_each_student_and_nobody_
   EXPECT_NE(moodle.text.find("\r\n20267314,81.5\r\n"), std::string::npos) << moodle.text;
   EXPECT_EQ(moodle.text.find("20260002"), std::string::npos);
   EXPECT_EQ(moodle.text.find("20260003"), std::string::npos);
+}
+
+TEST_F(GradebookTest, has_one_line_of_a_student_whom_another_window_renames_meanwhile) {
+  sit(lena, 62);
+  sit(lena, 81.5);
+  const StatementsSeen seen;
+  const auto reading = open(folder / "a.db");
+  int rows = 0;
+  StatementsSeen::at_each([&](std::string_view sql) {
+    if (!sql.starts_with("SELECT m.session, m.student, p.number") || ++rows != 2) return;
+    must(store->accounts.rename(administrator, lena.id, "20269999", lena.name));
+  });
+  const GradebookFile moodle = must(make_gradebook(reading->context(), administrator, exam.id, Gradebook::moodle));
+  EXPECT_EQ(rows, 2) << "renamed between the two attempts";
+  EXPECT_EQ(moodle.text, "ID number,Straight channel\r\n20267314,81.5\r\n");
 }
 
 TEST_F(GradebookTest, leaves_out_who_was_erased) {
