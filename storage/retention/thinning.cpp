@@ -20,7 +20,8 @@ constexpr std::string_view kSelectOld =
     "(SELECT max(at) FROM session_events e WHERE e.session = s.id), "
     "EXISTS (SELECT 1 FROM grades g WHERE g.session = s.id), "
     "EXISTS (SELECT 1 FROM statements t WHERE t.session = s.id AND t.kind NOT IN ('comment', 'withdrawal', 'self_assessment')), "
-    "(SELECT links FROM session_heads h WHERE h.session = s.id), s.sequence "
+    "(SELECT links FROM session_heads h WHERE h.session = s.id), "
+    "coalesce((SELECT max(sequence) FROM session_events e WHERE e.session = s.id AND e.kind = 'finished'), s.sequence) "
     "FROM session_summaries m INDEXED BY summaries_by_time JOIN sessions s ON s.id = m.session "
     "WHERE m.listed = 1 AND m.started_at <= ?1 AND EXISTS (SELECT 1 FROM trace_chunks c WHERE c.session = s.id)";
 
@@ -37,7 +38,7 @@ struct OldAttempt {
   std::optional<std::int64_t> finished_utc_us;
   std::int64_t last_utc_us = 0;
   bool graded = false, stated = false;
-  std::int64_t links = 0, sequence = 0;
+  std::int64_t links = 0, sequence = 0;  // of its end
 
   std::int64_t ended_utc_us() const noexcept { return finished_utc_us.value_or(last_utc_us); }
 };

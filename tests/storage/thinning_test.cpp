@@ -96,6 +96,19 @@ TEST_F(ThinningTest, leaves_an_attempt_of_yesterday_whole_that_a_clock_seven_yea
   EXPECT_EQ(report.kept, KeptTraces{}) << "like every young one";
 }
 
+TEST_F(ThinningTest, leaves_an_attempt_whole_that_was_resumed_and_finished_yesterday_under_a_clock_set_back) {
+  const SessionId resumed = attempt(100, Upto::interrupted);
+  attempt(2);
+  *now = kNow - 95 * kDay_us;
+  must(store->sessions.resume(resumed, "student"));
+  must(store->traces.append(resumed, second_from(1001)));
+  must(store->sessions.finish(resumed, volume_after(1012), "student"));
+  must(store->grades.save(resumed, small_grade(), {}));
+  *now = kNow;
+  EXPECT_EQ(thin().attempts, 0u);
+  EXPECT_FALSE(is_thinned(resumed));
+}
+
 TEST_F(ThinningTest, names_an_attempt_that_does_not_verify_and_leaves_it) {
   const SessionId changed = attempt(92), resealed = attempt(92), good = attempt(91);
   must(store->database().run("UPDATE grades SET score = 100 WHERE session = ?1", changed));
