@@ -96,6 +96,13 @@ Admission admission(Transaction& transaction, const NewSession& wanted, std::int
   return {rules->kind, rules->adjustment, rules->drawn_tooth};
 }
 
+/// The student whose attempt goes on has signed in, maybe before an administrator switched the account off or erased it.
+void require_enabled(Transaction& transaction, SessionId session) {
+  const auto disabled = transaction.first("SELECT p.disabled FROM sessions s JOIN people p ON p.id = s.student WHERE s.id = ?1",
+                                          [](Row row) { return row.flag(0); }, session);
+  if (disabled.value_or(false)) transaction.refuse({StorageError::disabled, "actor"});
+}
+
 }  // namespace
 
 Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
@@ -159,6 +166,7 @@ Stored<void> Sessions::add_event(SessionId session, EventKind kind, const std::s
                 kind == EventKind::resumed  ? Need::interrupted
                 : kind == EventKind::closed ? Need::not_running
                                             : Need::running);
+  if (kind == EventKind::resumed) require_enabled(transaction, session);
   if (kind == EventKind::resumed && keeps_volume(transaction, session)) {
     transaction.refuse({StorageError::wrong_state, "volume_kept", session.text()});
   }

@@ -108,7 +108,7 @@ class Sessions {
   /// What start() would say of an assignment's students, dates, attempts, start code, devices and their self-tests. Writes nothing.
   Stored<void> admit(const Actor& actor, const NewSession& session);
   /// This process then owns the session. wrong_state unless interrupted, (where = volume_kept) if an older program has kept its volume:
-  /// a session has one, so it could not be finished.
+  /// a session has one, so it could not be finished. disabled (where = actor) if its student's account was switched off.
   Stored<void> resume(SessionId session, const std::string& reason);
   /// wrong_state unless running.
   Stored<void> interrupt(SessionId session, const std::string& reason);

@@ -118,7 +118,7 @@ TEST_F(AccountsTest, who_was_switched_off_or_lost_the_role_at_another_window_wri
   const Account lena = make_student(*store);
   const ScenarioVersion version = keep(*store);
   const CohortId cohort = must(store->cohorts.create(instructor, "Year 2")).id;
-  const SessionId session = complete_session(*store, lena, version);
+  const SessionId session = complete_session(*store, lena, version), begun = must(store->sessions.start(lena.actor(), new_session(lena, version))).id;
   const auto other = open(folder / "a.db", quick(now));
   must(other->accounts.set_role(admin, second.id, Role::instructor));
   EXPECT_EQ(code_of(accounts.rename(second, lena.id, "x", "x")), StorageError::not_allowed);
@@ -135,6 +135,10 @@ TEST_F(AccountsTest, who_was_switched_off_or_lost_the_role_at_another_window_wri
   EXPECT_EQ(must(store->grades.all(session)).size(), 1u);
   must(other->accounts.disable(admin, lena.id));
   EXPECT_EQ(code_of(accounts.set_password(lena.actor(), lena.id, "battery staple", "new password")), StorageError::disabled);
+  must(store->sessions.interrupt(begun, "process_gone"));
+  EXPECT_EQ(code_of(store->sessions.resume(begun, "student")), StorageError::disabled);
+  must(other->accounts.enable(admin, lena.id));
+  must(store->sessions.resume(begun, "student"));
   must(other->accounts.enable(admin, instructor.id));
   must(store->statements.comment(instructor, session, "In time."));
 }
