@@ -9,6 +9,7 @@ import csv
 import io
 import json
 import os
+import shutil
 import signal
 import sqlite3
 import subprocess
@@ -195,6 +196,23 @@ def refusals(desk, database):
     check(status == 1 and "none.db" in err, err)
 
 
+def two_of_one_key(desk, database):
+    """Two exercises with one key: neither stands for both, and each has its id."""
+    twice = desk.path("twice.db")
+    with contextlib.closing(sqlite3.connect(database)) as one, contextlib.closing(sqlite3.connect(twice)) as other:
+        one.backup(other)
+    for end in (".key", ".key-counter"):
+        shutil.copy(database + end, twice + end)
+    copy = desk.small_exercise("copy.json", lambda s: s.update(key="channel-1"))
+    status, _, err = desk.run("play", copy, "--script", desk.small_script(1), "--db", twice, "--as", STUDENT, "--out", desk.path("o"), CUSP_PASSWORD=PIN)
+    check(status == 0, f"an exercise with the key of another one: {err}")
+    status, out, err = export(desk, twice, "--exercise", "channel-1")
+    one_sentence(err, "a key of two exercises")
+    check(status == 1 and out == "" and "channel-1" in err, f"a key of two exercises: exit {status}: {out}{err}")
+    for scenario in {row["scenario"] for row in json.loads(export(desk, twice, "--json", "-")[1])}:
+        check(len(exported(desk, twice, "--exercise", scenario)) == 1, f"an exercise by its id: {scenario}")
+
+
 def catches(pid, number):
     with open(f"/proc/{pid}/status", encoding="ascii") as f:
         (caught,) = [line.split()[1] for line in f if line.startswith("SigCgt:")]
@@ -252,6 +270,7 @@ def main():
         refusals(desk, database)
         stopped(desk, database)
         unread(desk, database)
+        two_of_one_key(desk, database)
         gradebooks(desk, database)
         print("exports name cohort and dates, write gradebooks, and refuse what is wrong")
 

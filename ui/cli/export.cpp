@@ -60,15 +60,19 @@ Result<HistoryFilter, QString> dates_in(const ExportOptions& o) {
   return filter;
 }
 
-/// Of those with an attempt.
+/// Of those with an attempt. An exercise of a file may have the key of another one.
 Result<ScenarioId, Message> exercise_in(Store& store, const Actor& actor, const std::string& typed) {
   const auto practised = store.history.scenarios(actor);
   if (!practised) return std::unexpected(describe(practised.error()));
+  std::optional<ScenarioId> found;
   for (const PractisedScenario& s : *practised) {
     const auto called = is_called(store, s.scenario, typed);
     if (!called) return std::unexpected(describe(called.error()));
-    if (*called) return s.scenario;
+    if (!*called) continue;
+    if (found) return std::unexpected(Message{CliText::tr("“%1” is the key of more than one exercise: give the id of one.").arg(typed_text(typed)), {}});
+    found = s.scenario;
   }
+  if (found) return *found;
   return std::unexpected(Message{CliText::tr("There is no attempt at an exercise “%1”.").arg(typed_text(typed)), {}});
 }
 
