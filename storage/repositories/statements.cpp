@@ -107,15 +107,16 @@ Stored<SignedStatement> Statements::override_critical(const Actor& actor, Sessio
   });
 }
 
-Stored<SignedStatement> Statements::confirm(const Actor& actor, SessionId session) {
+Stored<SignedStatement> Statements::confirm(const Actor& actor, SessionId session, const std::optional<Hash256>& seen) {
   if (auto allowed = require(actor, Action::grade_again); !allowed) return std::unexpected(allowed.error());
   return state(actor, {.session = session, .kind = StatementKind::confirmation},
-               [](Transaction& transaction, SignedStatement& made) {
+               [&seen](Transaction& transaction, SignedStatement& made) {
                  const auto grade = counted(transaction, made.session);
                  if (!grade) return;
                  made.grade = grade->stored.number;
                  made.points = grade->grade.score;
                  made.shown = shown_hash(grade->grade);
+                 if (seen && *seen != *made.shown) transaction.refuse({StorageError::wrong_state, "changed", made.session.text()});
                });
 }
 

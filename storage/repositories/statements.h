@@ -38,8 +38,8 @@ class Statements {
   Stored<SignedStatement> override_critical(const Actor& actor, SessionId session, const std::string& event,
                                             const std::string& reason);
   /// Needs grade_again. The result as it stands now; a later override asks for another one. A release that waits for it holds
-  /// again.
-  Stored<SignedStatement> confirm(const Actor& actor, SessionId session);
+  /// again. `seen`: shown_hash() of the result that the examiner has read; wrong_state (where = changed) if another one counts by now.
+  Stored<SignedStatement> confirm(const Actor& actor, SessionId session, const std::optional<Hash256>& seen = {});
   /// Needs assign. wrong_state (where = released) if it is, (where = confirmation) while the result is failed and unconfirmed,
   /// (where = grade) without a grade.
   Stored<SignedStatement> release(const Actor& actor, SessionId session);

@@ -231,6 +231,18 @@ TEST_F(StatementsTest, a_confirmation_covers_the_result_as_it_stood) {
   EXPECT_TRUE(counts(id).needs_confirmation());
 }
 
+TEST_F(StatementsTest, a_result_that_another_desk_changed_after_it_was_read_is_not_confirmed) {
+  const SessionId id = complete_session(*store, lena, version, 50, false);
+  const Hash256 read = shown_hash(counts(id).grade);
+  must(open(folder / "a.db")->statements.override_points(instructor, id, "target_removed", 0, "Not cut."));
+  const auto late = statements().confirm(instructor, id, read);
+  ASSERT_EQ(code_of(late), StorageError::wrong_state);
+  EXPECT_EQ(late.error().where, "changed");
+  EXPECT_TRUE(counts(id).needs_confirmation());
+  must(statements().confirm(instructor, id, shown_hash(counts(id).grade)));
+  EXPECT_FALSE(counts(id).needs_confirmation());
+}
+
 TEST_F(StatementsTest, a_confirmation_is_of_the_result_that_it_kept_and_that_of_an_older_program_of_its_score) {
   StoredGrade stored;
   stored.grade = small_grade(50, false);

@@ -128,7 +128,7 @@ QWidget* MarkingCard::make_result() {
   confirm_ = make_button(tr("Confirm the result"), ButtonKind::standard, u"check"_qs);
   release_ = make_button(tr("Release to the student"), ButtonKind::standard, u"eye"_qs);
   connect(confirm_, &QPushButton::clicked, this,
-          [this] { if (still_stands()) finish(store_.statements.confirm(actor_, session_), tr("The result is confirmed as it stands."), Text::kept); });
+          [this] { if (still_stands()) finish(store_.statements.confirm(actor_, session_, read_), tr("The result is confirmed as it stands."), Text::kept); });
   connect(release_, &QPushButton::clicked, this,
           [this] { if (still_stands()) finish(store_.statements.release(actor_, session_), tr("The student can read the result now."), Text::kept); });
   auto* box = new QWidget;
@@ -183,6 +183,7 @@ void MarkingCard::show_data(const ReportData& report) {
   set_aside(!assessed ? QString() : report.released ? tr("released") : tr("withheld from the student"));
   if (points_ == nullptr || !report.counts) return;
   seen_ = changes_in(*report.counts);
+  read_ = shown_hash(report.counts->grade);
   scale_ = score_per_point(report.counts->stored.grade);
   in_table_.clear();
   const std::vector<ScaledPoints> scaled = scaled_points(report.result.grade);
@@ -214,6 +215,7 @@ void MarkingCard::finish(const Stored<SignedStatement>& result, const QString& d
     return;
   }
   seen_.reset();  // until the report is read anew
+  read_.reset();
   if (text == Text::used) text_->clear();
   band_->show_message(Band::Kind::good, done, {});
   Q_EMIT stated();

@@ -69,6 +69,7 @@ class MarkingCard : public Card {
   std::optional<std::pair<int, std::vector<Uuid>>> seen_;  // grade and changes that the report shows; none while it is read anew
   double points_now_ = 0, points_most_ = 0;  // of the criterion: as they count, and full ones; in the grade's own points
   double scale_ = 1;                         // points of the score for one of these (score_per_point)
+  std::optional<Hash256> read_;  // shown_hash() of the result that the report shows
   ScaledPoints shown_;                       // of the criterion, as the report's table shows them
   std::map<std::string, ScaledPoints> in_table_;  // by criterion
   Band* band_;

@@ -180,6 +180,7 @@ Message describe_wrong_state(const StorageFailure& f) {
   }
   if (f.where == "running") return {Text::tr("An attempt of this person still runs."), nothing_changed()};
   if (f.where == "grade") return {Text::tr("This attempt has no grade yet."), nothing_changed()};
+  if (f.where == "changed") return {Text::tr("The result was changed at another desk meanwhile."), nothing_changed()};
   if (f.where == "released") return {Text::tr("This result is released already."), nothing_changed()};
   if (f.where == "confirmation") {
     return {Text::tr("A failed result is released only after an examiner has confirmed it."), nothing_changed()};
