@@ -99,6 +99,22 @@ def numbers_in_german(desk, database, session):
               f"{verb}: JSON follows no locale")
 
 
+def grading_of_another(desk, database):
+    """Who may not grade sees what an attempt without a grade would get, and leaves it as it is; its student's grade stays."""
+    session = out_of(desk, PUPIL, "play", desk.path("small.json"), "--script", desk.small_script(1), "--db", database, "--out", desk.path("again")).strip()
+    blob = bytes.fromhex(session.replace("-", ""))
+    for table in ("grades", "graded_criteria"):
+        check(run_sql(database, f"DELETE FROM {table} WHERE session = ?", blob) == 1, f"{table} of a program that was killed before the grade")
+    check(run_sql(database, "DELETE FROM session_events WHERE session = ? AND kind = 'graded'", blob) == 1, "and its event")
+    scores = []
+    for who, kept in ((ADMIN, 0), (PUPIL, 1)):
+        scores.append(json_of(desk, who, "grade", database, session)["score"])
+        with contextlib.closing(sqlite3.connect(database)) as db:
+            (grades,) = db.execute("SELECT count(*) FROM grades WHERE session = ?", (blob,)).fetchone()
+        check(grades == kept, f"grades that are kept after {who[0]}: {grades}")
+    check(scores[0] == scores[1], f"both see the same: {scores}")
+
+
 def withheld_result(desk, database, session):
     """The student reads that it is not released, and nothing that tells of it; staff reads it."""
     blob = bytes.fromhex(session.replace("-", ""))
@@ -125,6 +141,7 @@ def main():
                          "--out", desk.path("out")).strip()
         changed_result(desk, database, session)
         numbers_in_german(desk, database, session)
+        grading_of_another(desk, database)
         withheld_result(desk, database, session)
         print("changed results stand before measured ones, withheld ones stay withheld, and German numbers have a comma")
 

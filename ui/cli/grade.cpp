@@ -85,10 +85,12 @@ int grade_verb(const GradeOptions& o) {
     if (!read) return failed(read.error());
     rubric = std::move(*read);
   }
-  // With another rubric only shown; without one, a session that has no grade yet gets its own.
+  // With another rubric only shown; without one, a session that has no grade yet gets its own. An interrupted one ends with it: that is up
+  // to its student, and to who may grade.
   const auto before = store.grades.newest(*id);
   if (!before) return failed(describe(before.error()));
-  auto result = grade_session(store, *id, rubric ? &*rubric : nullptr, !rubric && !*before ? Keep::grade : Keep::nothing);
+  const bool grades_it = account->id == session->student || may(account->role, Action::grade_again);
+  auto result = grade_session(store, *id, rubric ? &*rubric : nullptr, !rubric && !*before && grades_it ? Keep::grade : Keep::nothing);
   if (!result) return failed(describe(result.error()));
   ReportOrder order{.student = *student, .reader = account->actor()};
   if (!rubric) {  // an examiner changes the stored grade: another rubric's result has no changes
