@@ -26,6 +26,10 @@ QString id_text(const Uuid& station) { return QString::fromStdString(station.tex
 
 bool counts(KeyRole role) { return role == KeyRole::station || role == KeyRole::office; }
 
+QString name_not_kept(const Settings& settings) {
+  return ExchangePage::tr("%1 cannot be written, so the next start does not know the name.").arg(isolate(settings.file()));
+}
+
 }  // namespace
 
 ExchangePage::ExchangePage(Store& store, const Actor& actor, Settings& settings, const Ports& ports, QWidget* parent)
@@ -110,7 +114,11 @@ QWidget* ExchangePage::make_own_key() {
   name_->setMaxLength(60);
   name_->setPlaceholderText(tr("Clinic, room 1"));
   card->body()->addWidget(labelled(tr("What you call it; files are named after it"), name_));
-  connect(name_, &QLineEdit::editingFinished, this, [this] { settings_.set_station_name(id_text(store_.context().station), name_->text()); });
+  connect(name_, &QLineEdit::editingFinished, this, [this] {
+    // Also whenever the focus leaves the field: what was reported once is not reported again.
+    if (name_->text().trimmed() == own_name() || settings_.set_station_name(id_text(store_.context().station), name_->text())) return;
+    band_->show_message(Band::Kind::bad, tr("The name holds until Cusp is closed."), name_not_kept(settings_));
+  });
   const auto& key = store_.context().key;
   if (!key) {
     card->body()->addWidget(make_note(tr("The records were opened for reading: their key is not there.")));
@@ -288,11 +296,15 @@ void ExchangePage::trust_key(const PublicKey& key, std::optional<KeyRole> known,
   if (const auto done = as_it_is ? Stored<void>() : trust(store_.context(), actor_, key, role); !done) {
     return show_failure({}, describe(done.error()));
   }
-  settings_.set_station_name(id_text(key.station), name);
+  const bool kept = settings_.set_station_name(id_text(key.station), name);
   read_stations();
   table_->choose_row(model_->row_of(key_id(key.bytes)));
-  const QString who = isolate(name_of(key.station));
-  band_->show_message(Band::Kind::good, as_it_is ? tr("%1 is saved.").arg(who) : tr("%1 is known: its files are read from now on.").arg(who));
+  const QString who = isolate(name_of(key.station)), known_now = tr("%1 is known: its files are read from now on.").arg(who);
+  if (kept) {
+    band_->show_message(Band::Kind::good, as_it_is ? tr("%1 is saved.").arg(who) : known_now);
+  } else {
+    band_->show_message(Band::Kind::bad, as_it_is ? tr("The name holds until Cusp is closed.") : known_now, name_not_kept(settings_));
+  }
   if (waiting_) return show_file(*std::exchange(waiting_, std::nullopt));
   back_to_stations();
 }

@@ -57,7 +57,7 @@ std::filesystem::path Settings::backup_folder(const std::filesystem::path& datab
 }
 bool Settings::set_backup_folder(const QString& folder) { return keep(u"records/backup_folder"_qs, folder); }
 QString Settings::station_name(const QString& station) const { return store_.value("stations/" + station).toString(); }
-void Settings::set_station_name(const QString& station, const QString& name) { store_.setValue("stations/" + station, name.trimmed()); }
+bool Settings::set_station_name(const QString& station, const QString& name) { return keep("stations/" + station, name.trimmed()); }
 bool Settings::keep(const QString& key, const QVariant& value) {
   QSettings fresh(store_.fileName(), QSettings::IniFormat);  // its status is of this write alone
   fresh.setValue(key, value);

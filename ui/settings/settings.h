@@ -52,7 +52,8 @@ class Settings {
   bool set_backup_folder(const QString& folder);
   /// What people here call a station, this one too. Empty: nothing yet. `station`: its id.
   QString station_name(const QString& station) const;
-  void set_station_name(const QString& station, const QString& name);
+  /// False: as of set_backup_folder().
+  bool set_station_name(const QString& station, const QString& name);
   QByteArray window() const;
   void set_window(const QByteArray& geometry);
 
