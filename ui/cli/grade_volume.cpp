@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 
@@ -23,6 +22,7 @@
 #include "ui/cli/terminal.h"
 #include "ui/cli/text.h"
 #include "ui/modules.h"
+#include "ui/session/file_bytes.h"
 #include "ui/session/scene_builder.h"
 #include "ui/text/grade_text.h"
 #include "ui/widgets/format.h"
@@ -54,23 +54,26 @@ Message describe_mismatch(const Failure<RecoverError>& failure, const QString& f
   return {CliText::tr("In %1 more is cut than a volume of this exercise can keep.").arg(file), {}};
 }
 
+using FilesBeside = std::map<std::string, std::vector<std::byte>>;
+
 /// The volume's own file, which belongs to the content hash.
-std::map<std::string, std::vector<std::byte>> files_beside(const LoadedScenario& loaded) {
+Result<FilesBeside, Message> files_beside(const LoadedScenario& loaded) {
   const std::string& name = loaded.scenario.specimen.volume;
-  if (!loaded.scenario.specimen.generator.empty() || name.empty()) return {};
-  std::ifstream in(loaded.folder / name, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  const auto* begin = reinterpret_cast<const std::byte*>(bytes.data());
-  return {{name, {begin, begin + bytes.size()}}};
+  if (!loaded.scenario.specimen.generator.empty() || name.empty()) return FilesBeside{};
+  auto bytes = bytes_of(loaded.folder / name);
+  if (!bytes) return std::unexpected(describe(import_failure_of(bytes.error())));
+  FilesBeside out;
+  out[name] = std::move(*bytes);
+  return out;
 }
 
 std::filesystem::path report_of(const std::string& folder) { return std::filesystem::path(folder) / "report.json"; }
 
-std::string report_of(const LoadedScenario& loaded, const SessionResult& result) {
+std::string report_of(const LoadedScenario& loaded, const FilesBeside& beside, const SessionResult& result) {
   ReportHead head;
   head.scenario_id = loaded.scenario.id.text();
   head.scenario_version = loaded.scenario.version;
-  head.scenario_hash = content_hash(loaded.scenario, files_beside(loaded)).hex();
+  head.scenario_hash = content_hash(loaded.scenario, beside).hex();
   head.operator_name = result.operator_name;
   head.state = "finished";
   char hash[17];
@@ -138,6 +141,8 @@ int grade_volume(const GradeVolumeOptions& o, const JsonOption& json) {
   }
   auto specimen = build_specimen(scenario, loaded->folder);
   if (!specimen) return failed(describe(specimen.error()));
+  const auto beside = files_beside(*loaded);
+  if (!beside) return failed(beside.error());
   auto cut = cuts ? cut_of_operator(o.operator_name, scenario, *specimen) : cut_of_file(o.volume, scenario, *specimen);
   if (!cut) return failed(cut.error());
   SessionResult result;
@@ -148,7 +153,7 @@ int grade_volume(const GradeVolumeOptions& o, const JsonOption& json) {
   result.measures = measure(Reference(scenario, *specimen), *result.volume, Process::lasting(cut->dry_s, cut->dry_s), show_progress);
   end_progress();
   result.grade = grade(scenario, result.measures);
-  const std::string text = report_of(*loaded, result);
+  const std::string text = report_of(*loaded, *beside, result);
   if (!o.out.empty()) {
     if (const auto fits = writable_folder(o.out); !fits) return failed(nothing_written_to(o.out, fits.error().detail));
     if (const auto done = write_whole(report_of(o.out), text); !done) return failed(cannot_write(report_of(o.out), done.error().detail));

@@ -1,8 +1,7 @@
 // cusp validate PATH
 
-#include <fstream>
-#include <iterator>
 #include <optional>
+#include <system_error>
 #include <variant>
 #include <nlohmann/json.hpp>
 
@@ -17,6 +16,7 @@
 #include "ui/cli/verb.h"
 #include "ui/cli/text.h"
 #include "ui/modules.h"
+#include "ui/session/file_bytes.h"
 
 namespace cusp::ui {
 
@@ -46,15 +46,14 @@ Result<Input, Message> open_file(const std::string& path) {
 Result<Input, Message> open_input(const std::string& path) {
   if (const std::string_view text = builtin_scenario_text(path); !text.empty()) return Input{std::string(text), {}, {}};
   std::filesystem::path file(path);
-  if (names_exercise_file(path) && !std::filesystem::is_directory(file)) return open_file(path);
-  if (std::filesystem::is_directory(file)) file /= "scenario.json";
   std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);  // fails for a pipe, which would wait for its other end
-  if (error) return std::unexpected(describe(FormatFailure{FormatError::unreadable, file.string(), {}}));
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return std::unexpected(describe(FormatFailure{FormatError::unreadable, file.string(), {}}));
-  if (size > kMaxScenarioBytes) return std::unexpected(describe(FormatFailure{FormatError::too_large, file.string(), {}}));
-  return Input{{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}, file.parent_path(), {}};
+  const bool is_folder = std::filesystem::is_directory(file, error);
+  if (names_exercise_file(path) && !is_folder) return open_file(path);
+  if (is_folder) file /= "scenario.json";
+  auto text = text_of_file(file, kMaxScenarioBytes);
+  if (text) return Input{std::move(*text), file.parent_path(), {}};
+  const bool too_large = text.error().code == StorageError::file_too_large;
+  return std::unexpected(describe(FormatFailure{too_large ? FormatError::too_large : FormatError::unreadable, file.string(), {}}));
 }
 
 enum class Checked : std::uint8_t { form, form_and_specimen };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,6 +11,7 @@
 #include "scenarios/library/library.h"
 #include "storage/base/files.h"
 #include "ui/modules.h"
+#include "ui/session/file_bytes.h"
 
 namespace cusp::ui {
 namespace {
@@ -33,27 +33,13 @@ bool hold_the_same(const fs::path& a, const fs::path& b) {
   return one.eof() && other.eof();
 }
 
-/// Calls visit(piece), which may fail, for all that the file holds. read() reports what the disk refuses: an iterator of the stream's
-/// buffer throws it, and << of the buffer reports none once a part is written.
-template <class Visit>
-Stored<void> for_pieces(const fs::path& file, Visit&& visit) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return fail(StorageError::not_found, file.string());
-  std::string piece(kPieceBytes, '\0');
-  while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())) || in.gcount() > 0) {
-    if (Stored<void> taken = visit(std::string_view(piece).substr(0, static_cast<std::size_t>(in.gcount()))); !taken) return taken;
-  }
-  if (in.bad()) return fail(StorageError::io, file.string());
-  return {};
-}
-
 /// Makes the folder of `to`. The copy is whole or not there: a half one would take a volume's name.
 Stored<void> copy_volume(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::create_directories(to.parent_path(), error);
   if (error) return std::unexpected(failure_from(error, to.parent_path()));
   WholeFile out(to);
-  auto copied = for_pieces(from, [&](std::string_view piece) -> Stored<void> {
+  auto copied = for_pieces(from, kMostVolumeBytes, [&](std::string_view piece) -> Stored<void> {
     if (const auto written = out.write(piece); !written) return std::unexpected(failure_from(written.error(), to));
     return {};
   });
@@ -97,17 +83,6 @@ Stored<bool> is_withdrawn(Store& store, const EditorModel& model) {
 }
 
 }  // namespace
-
-Stored<std::vector<std::byte>> bytes_of(const fs::path& file) {
-  std::vector<std::byte> out;
-  const auto read = for_pieces(file, [&out](std::string_view piece) -> Stored<void> {
-    const auto bytes = std::as_bytes(std::span(piece));
-    out.insert(out.end(), bytes.begin(), bytes.end());
-    return {};
-  });
-  if (!read) return std::unexpected(read.error());
-  return out;
-}
 
 fs::path drafts_folder(const fs::path& database, ScenarioId scenario) {
   return database.parent_path() / (database.stem().string() + "-drafts") / scenario.text();

@@ -1,7 +1,6 @@
 /// The editor's records: opens an exercise, saves and discards its draft, publishes. No widget, no text. Thread: GUI.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <vector>
 
@@ -14,9 +13,6 @@ namespace cusp::ui {
 
 /// Folder of a draft's volume, one for each exercise, beside the database.
 std::filesystem::path drafts_folder(const std::filesystem::path& database, ScenarioId scenario);
-
-/// A volume beside a draft. not_found or io (where = the file).
-Stored<std::vector<std::byte>> bytes_of(const std::filesystem::path& file);
 
 /// Opens the actor's draft, or the published version without one, with the number of the next version; a withdrawn
 /// version keeps its number. Its volume gets another name where a draft has one of that name. An unreadable draft, perhaps of a

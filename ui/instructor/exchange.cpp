@@ -6,6 +6,7 @@
 #include "ui/editor/editor_records.h"
 #include "ui/editor/texts_form.h"
 #include "ui/modules.h"
+#include "ui/session/file_bytes.h"
 #include "ui/student/exercises.h"
 
 namespace cusp::ui {

@@ -2,7 +2,6 @@
 
 #include <QBuffer>
 #include <QCoreApplication>
-#include <QFile>
 #include <QTemporaryDir>
 #include <algorithm>
 #include <array>
@@ -15,6 +14,7 @@
 #include "storage/records/statement_rows.h"
 #include "ui/report/report_pdf.h"
 #include "ui/report/report_text.h"
+#include "ui/session/file_bytes.h"
 #include "ui/text/exchange_text.h"
 #include "ui/widgets/save_bytes.h"
 
@@ -44,6 +44,7 @@ struct Content {
 Message no_room(const QString& why) {
   return {PackText::tr("The pack cannot be written to the temporary folder: %1.").arg(why), PackText::tr("Nothing was changed.")};
 }
+Message too_long() { return {PackText::tr("The attempt is too long for an appeal pack."), {}}; }
 Message no_pack(const fs::path& file) {
   return {PackText::tr("%1 is no appeal pack.").arg(QString::fromStdString(file.filename().string())),
           PackText::tr("It may have been cut off on its way. Ask for it once more.")};
@@ -59,20 +60,6 @@ Message describe_pack_failure(const StorageFailure& f, const fs::path& file) {
   std::error_code ignored;
   if (f.detail == "folder") return cannot_write_pack(shown, std::generic_category().message(fs::exists(f.where, ignored) ? ENOTDIR : ENOENT));
   return f.where == file.string() ? cannot_write_pack(shown, f.detail) : describe(f);
-}
-
-/// nullopt: unreadable, or longer than `most`, or no file: a pipe would wait for its other end, and a device may have none.
-std::optional<std::string> bytes_of(const fs::path& path, std::size_t most) {
-  constexpr qint64 kBlock = 1 << 20;
-  std::error_code error;
-  if (!fs::is_regular_file(path, error)) return std::nullopt;
-  QFile file(QString::fromStdString(path.string()));
-  if (!file.open(QIODevice::ReadOnly) || file.size() > static_cast<qint64>(most)) return std::nullopt;
-  std::string out;
-  for (QByteArray block = file.read(kBlock); !block.isEmpty() && out.size() <= most; block = file.read(kBlock))
-    out.append(block.constData(), static_cast<std::size_t>(block.size()));
-  if (out.size() > most || file.error() != QFileDevice::NoError) return std::nullopt;
-  return out;
 }
 
 /// One of the pack's files.
@@ -190,21 +177,24 @@ Result<void, Message> write_appeal_pack(Store& store, const Actor& actor, Sessio
   if (auto filled = fill(store, actor, session, in); !filled) return filled;
   std::vector<Content> contents;
   for (const char* name : kContents) {
-    if (auto bytes = bytes_of(in / name, kMaxPackBytes)) contents.push_back({name, std::move(*bytes)});
+    auto bytes = text_of_file(in / name, kMaxPackBytes);
+    if (!bytes && bytes.error().code == StorageError::not_found) continue;  // the picture of a tooth that cannot be drawn
+    if (!bytes) return std::unexpected(bytes.error().code == StorageError::file_too_large ? too_long() : no_room(QString::fromStdString(bytes.error().detail)));
+    contents.push_back({name, std::move(*bytes)});
   }
   const auto signed_pack = sign_pack(store.context(), actor, session, hashes_of(contents));
   if (!signed_pack) return std::unexpected(describe(signed_pack.error()));
   std::vector<TarEntry> entries = {{kDescription, signed_pack->description}, {kSignature, signed_pack->signature}};
   for (const Content& content : contents) entries.push_back({content.name, content.bytes});
   const std::string archive = write_tar(entries);
-  if (archive.size() > kMaxPackBytes) return std::unexpected(Message{PackText::tr("The attempt is too long for an appeal pack."), {}});
+  if (archive.size() > kMaxPackBytes) return std::unexpected(too_long());
   const auto given_out = give_out_pack(store.context(), actor, session, archive, file);
   if (!given_out) return std::unexpected(describe_pack_failure(given_out.error(), file));
   return {};
 }
 
 Result<OpenedPack, Message> open_appeal_pack(const fs::path& file, Store* here) {
-  const auto archive = bytes_of(file, kMaxPackBytes);
+  const auto archive = text_of_file(file, kMaxPackBytes);
   if (!archive) {
     return std::unexpected(Message{PackText::tr("%1 cannot be read.").arg(QString::fromStdString(file.string())), {}});
   }

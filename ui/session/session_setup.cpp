@@ -1,7 +1,5 @@
 #include "ui/session/session_setup.h"
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "scenarios/format/content_hash.h"
@@ -11,6 +9,7 @@
 #include "scenarios/metrics/measure.h"
 #include "ui/modules.h"
 #include "ui/session/build_info.h"
+#include "ui/session/file_bytes.h"
 #include "ui/session/patience.h"
 #include "ui/session/replay.h"
 #include "ui/session/scene_builder.h"
@@ -20,16 +19,6 @@ namespace cusp::ui {
 
 namespace {
 
-Outcome<std::vector<std::byte>> bytes_of_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::vector<char> chars{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in.good() && !in.eof()) {
-    return session_fail(SessionError::specimen, Failure<ImportError>{ImportError::io, file.string(), {}});
-  }
-  const auto* data = reinterpret_cast<const std::byte*>(chars.data());
-  return std::vector<std::byte>(data, data + chars.size());
-}
-
 /// The version that this attempt is of: the one that the plan names, or the scenario's own, published at need.
 Outcome<VersionId> version_of(const SessionPlan& plan, Store& store) {
   if (!plan.version.is_nil()) return plan.version;
@@ -37,8 +26,8 @@ Outcome<VersionId> version_of(const SessionPlan& plan, Store& store) {
   std::map<std::string, Hash256> files;
   if (plan.scenario.specimen.generator.empty()) {
     const std::string& name = plan.scenario.specimen.volume;
-    auto bytes = bytes_of_file(plan.scenario_folder / name);
-    if (!bytes) return std::unexpected(bytes.error());
+    auto bytes = bytes_of(plan.scenario_folder / name);
+    if (!bytes) return session_fail(SessionError::specimen, import_failure_of(bytes.error()));
     auto kept = store.blobs.put(*bytes);
     if (!kept) return session_fail(SessionError::storage, kept.error());
     files[name] = *kept;

@@ -15,6 +15,7 @@
 #include "ui/editor/specimen_grower.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/library_page.h"
+#include "ui/session/file_bytes.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::test {

@@ -23,6 +23,7 @@
 #include "ui/instructor/exchange.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/library_page.h"
+#include "ui/session/file_bytes.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
