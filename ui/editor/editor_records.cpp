@@ -1,7 +1,6 @@
 #include "ui/editor/editor_records.h"
 
 #include <algorithm>
-#include <fstream>
 #include <string>
 #include <string_view>
 
@@ -10,6 +9,7 @@
 #include "scenarios/import/whole_file.h"
 #include "scenarios/library/library.h"
 #include "storage/base/files.h"
+#include "ui/editor/free_name.h"
 #include "ui/modules.h"
 #include "ui/session/file_bytes.h"
 
@@ -17,21 +17,6 @@ namespace cusp::ui {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t kPieceBytes = 1 << 16;
-
-bool hold_the_same(const fs::path& a, const fs::path& b) {
-  std::error_code error;
-  if (fs::file_size(a, error) != fs::file_size(b, error) || error) return false;
-  std::ifstream one(a, std::ios::binary), other(b, std::ios::binary);
-  std::string of_one(kPieceBytes, '\0'), of_other(kPieceBytes, '\0');
-  do {
-    one.read(of_one.data(), static_cast<std::streamsize>(of_one.size()));
-    other.read(of_other.data(), static_cast<std::streamsize>(of_other.size()));
-    if (one.gcount() != other.gcount() || !std::equal(of_one.begin(), of_one.begin() + one.gcount(), of_other.begin())) return false;
-  } while (one && other);
-  return one.eof() && other.eof();
-}
 
 /// Makes the folder of `to`. The copy is whole or not there: a half one would take a volume's name.
 Stored<void> copy_volume(const fs::path& from, const fs::path& to) {
@@ -62,15 +47,12 @@ Stored<std::string> unpack_volume(Store& store, const Exercise& exercise, const 
   if (!exercise.scenario.specimen.generator.empty()) return volume;
   const auto from = exercise_folder(store, exercise, cache);
   if (!from) return std::unexpected(from.error());
-  const fs::path there = *from / volume;
-  std::string name = volume;
   std::error_code error;
-  for (int n = 2; fs::exists(to / name, error); ++n) {
-    if (hold_the_same(there, to / name)) return name;
-    name = fs::path(volume).stem().string() + "-" + std::to_string(n) + fs::path(volume).extension().string();
-  }
-  if (const auto copied = copy_volume(there, to / name); !copied) return std::unexpected(copied.error());
-  return name;
+  fs::create_directories(to, error);
+  if (error) return std::unexpected(failure_from(error, to));
+  const fs::path there = *from / volume;
+  return write_under_free_name(to, volume, {[&there](const fs::path& file) { return hold_the_same(there, file); },
+                                            [&there](const fs::path& file) { return copy_volume(there, file); }});
 }
 
 /// Whether the version that the model was opened with is withdrawn by now.

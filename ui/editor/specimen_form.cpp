@@ -8,13 +8,16 @@
 #include <QSignalBlocker>
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "scenarios/format/ranges.h"
 #include "scenarios/format/validate.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/import/nrrd_image.h"
 #include "scenarios/teeth/tooth.h"
+#include "storage/base/files.h"
 #include "ui/editor/form_parts.h"
+#include "ui/editor/free_name.h"
 #include "ui/editor/landmarks_form.h"
 #include "ui/editor/specimen_grower.h"
 #include "ui/editor/tooth_form.h"
@@ -237,18 +240,22 @@ void SpecimenForm::pick() {
     const std::filesystem::path folder = model_.folder();
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    const std::string first = name_beside_the_draft(from);
-    std::string name = first;
-    for (int n = 2; std::filesystem::exists(folder / name, error); ++n) {
-      name = std::filesystem::path(first).stem().string() + "-" + std::to_string(n) + ".nrrd";
-    }
-    if (const auto written = write_nrrd(*volume, folder / name); !written) {
-      const Message message = describe(written.error());
+    std::optional<ImportFailure> unwritten;  // a writer of volumes has another list of causes
+    const auto write = [&](const std::filesystem::path& file) -> Stored<void> {
+      const auto written = write_nrrd(*volume, file);
+      if (written) return {};
+      unwritten = written.error();
+      return fail(StorageError::io, file.string());
+    };
+    const auto name = error ? Stored<std::string>(std::unexpected(failure_from(error, folder)))
+                            : write_under_free_name(folder, name_beside_the_draft(from), {nullptr, write});
+    if (!name) {
+      const Message message = unwritten ? describe(*unwritten) : describe(name.error());
       band_->show_message(Band::Kind::bad, message.what, message.more);
       return;
     }
     SpecimenSource source;
-    source.volume = name;
+    source.volume = *name;
     source.voxel_mm = *stated_voxel_mm(volume->grid.voxel_mm);
     if (!model_.set_specimen(source, usual_tissues(facts_of(*volume).tissues))) {
       band_->show_message(Band::Kind::bad, tr("This tooth cannot be used."), tr("Nothing was changed."));

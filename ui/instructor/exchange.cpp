@@ -4,6 +4,7 @@
 #include "storage/base/files.h"
 #include "ui/editor/draft_folder.h"
 #include "ui/editor/editor_records.h"
+#include "ui/editor/free_name.h"
 #include "ui/editor/texts_form.h"
 #include "ui/modules.h"
 #include "ui/session/file_bytes.h"
@@ -43,19 +44,16 @@ bool same_content(const ExerciseFile& a, const ExerciseFile& b) {
   return as_b == b.scenario && a.volume == b.volume;
 }
 
-bool holds_other(const fs::path& file, const std::vector<std::byte>& bytes) {
-  std::error_code error;
-  if (!fs::exists(file, error)) return false;
-  const auto here = bytes_of(file);
-  return !here || *here != bytes;
+bool holds(const fs::path& file, const std::vector<std::byte>& bytes) {
+  const auto here = bytes_of(file, bytes.size());
+  return here && *here == bytes;
 }
 
-/// The file's own name for its volume. A number follows if a draft has another volume of that name: instructors share the folder.
-std::string volume_name(const ExerciseFile& file, const fs::path& folder) {
-  const fs::path own = file.scenario.specimen.volume;
-  fs::path name = own;
-  for (int n = 2; holds_other(folder / name, file.volume); ++n) name = own.stem().string() + '-' + std::to_string(n) + own.extension().string();
-  return name.string();
+/// Under the file's own name for it. A number follows if a draft has another volume of that name: instructors share the folder.
+Stored<std::string> keep_volume(const ExerciseFile& file, const fs::path& folder) {
+  return write_under_free_name(folder, file.scenario.specimen.volume,
+                               {[&file](const fs::path& there) { return holds(there, file.volume); },
+                                [&file](const fs::path& fresh) { return write_beside(fresh, file.volume); }});
 }
 
 /// Makes the folder, and holds it.
@@ -105,8 +103,9 @@ Stored<EditorStart> take_in(Store& store, const Actor& actor, const ExerciseFile
     auto made = folder_for_volume(folder);
     if (!made) return std::unexpected(made.error());
     held = std::move(*made);
-    draft.specimen.volume = volume_name(file, folder);
-    if (auto written = write_beside(folder / draft.specimen.volume, file.volume); !written) return std::unexpected(written.error());
+    auto name = keep_volume(file, folder);
+    if (!name) return std::unexpected(name.error());
+    draft.specimen.volume = std::move(*name);
   }
   const std::string json = canonical_json(draft);
   const auto saved = store.scenarios.save_draft(actor, draft.id, json, std::nullopt);

@@ -12,6 +12,7 @@
 #include "tests/ui/desk_records.h"
 #include "tests/ui/editor/editor_pages.h"
 #include "tests/ui/publish_draft.h"
+#include "ui/editor/free_name.h"
 #include "ui/editor/specimen_grower.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/library_page.h"
@@ -86,6 +87,31 @@ TEST_F(DraftVolumes, that_are_chosen_in_the_editor_stay_with_the_window_too) {
   discard_elsewhere(records, instructor, ports, grown.draft.id);
   EXPECT_EQ(drafts(), 0u);
   EXPECT_TRUE(fs::exists(beside / "tooth.nrrd")) << "the window edits it";
+}
+
+TEST_F(DraftVolumes, of_one_name_that_two_windows_write_at_once_lie_side_by_side) {
+  using Bytes = std::vector<std::byte>;
+  const Bytes first(3, std::byte{1}), second(5, std::byte{2});
+  std::string of_the_other;
+  const auto of_one = write_under_free_name(start.folder, "tooth.nrrd", {nullptr, [&](const fs::path& file) {
+    // The other window comes between the choice of the name and the writing.
+    of_the_other = write_under_free_name(start.folder, "tooth.nrrd", {nullptr, [&](const fs::path& beside) { return write_beside(beside, second); }}).value();
+    return write_beside(file, first);
+  }});
+  ASSERT_TRUE(of_one);
+  EXPECT_EQ(*of_one, "tooth.nrrd");
+  EXPECT_EQ(of_the_other, "tooth-2.nrrd");
+  EXPECT_EQ(*bytes_of(fs::path(start.folder) / *of_one), first);
+  EXPECT_EQ(*bytes_of(fs::path(start.folder) / of_the_other), second);
+}
+
+TEST_F(DraftVolumes, that_cannot_be_written_leave_their_name_to_the_next_one) {
+  const auto name = write_under_free_name(start.folder, "tooth.nrrd", {nullptr, [](const fs::path& file) -> Stored<void> {
+    return std::unexpected(StorageFailure{StorageError::disk_full, file.string(), {}});
+  }});
+  ASSERT_FALSE(name);
+  EXPECT_EQ(name.error().code, StorageError::disk_full);
+  EXPECT_FALSE(fs::exists(fs::path(start.folder) / "tooth.nrrd"));
 }
 
 TEST_F(DraftVolumes, go_with_a_draft_that_was_never_published_once_no_window_edits_it) {

@@ -10,6 +10,7 @@
 #include <QTest>
 #include <QUrl>
 #include <filesystem>
+#include <thread>
 
 #include "scenarios/blocks/blocks.h"
 #include "scenarios/format/write.h"
@@ -293,6 +294,33 @@ TEST_F(LibraryFiles, AnotherVolumeOfTheNameOfAnotherInstructorsVolumeLiesBesideI
   EXPECT_EQ(taken->draft.id, to.opened[0].draft.id);
   EXPECT_NE(taken->draft.specimen.volume, to.opened[0].draft.specimen.volume);
   EXPECT_EQ(*bytes_of(in / taken->draft.specimen.volume), edited.volume);
+}
+
+TEST_F(LibraryFiles, VolumesOfOneNameThatManyWindowsTakeInAtOnceAreAllKept) {
+  const QString file = path("block.cusp");
+  send_volume(file);
+  const auto sent = *read_exercise_file(file.toStdString());
+  constexpr std::size_t kWindows = 6;
+  std::vector<Actor> actors;
+  std::vector<ExerciseFile> files(kWindows, sent);
+  std::vector<std::filesystem::path> kept(kWindows);
+  for (std::size_t i = 0; i < kWindows; ++i) {
+    const std::string number = "window-" + std::to_string(i);
+    actors.push_back(to.records.store().accounts.create(to.records.administrator().actor(), {number, number, Role::instructor, "correct horse", ""})->actor());
+    files[i].volume.push_back(static_cast<std::byte>(i));
+  }
+  std::vector<std::thread> windows;
+  for (std::size_t i = 0; i < kWindows; ++i) {
+    windows.emplace_back([&, i] {
+      auto store = Store::open(to.records.file());
+      ASSERT_TRUE(store);
+      const auto taken = take_in(**store, actors[i], files[i], KeepId::yes, to.records.file());
+      ASSERT_TRUE(taken);
+      kept[i] = std::filesystem::path(taken->folder) / taken->draft.specimen.volume;
+    });
+  }
+  for (std::thread& window : windows) window.join();
+  for (std::size_t i = 0; i < kWindows; ++i) EXPECT_EQ(*bytes_of(kept[i]), files[i].volume) << kept[i];
 }
 
 TEST_F(LibraryFiles, AVolumeThatGotANumberHereDoesNotMakeItsFileAStrangeOne) {
