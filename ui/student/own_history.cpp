@@ -3,10 +3,12 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <algorithm>
 
 #include "ui/student/history_charts.h"
+#include "ui/text/failure_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/empty_state.h"
@@ -29,25 +31,34 @@ OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent)
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(px(24), px(16), px(24), px(24));
   outer->setSpacing(px(16));
-  auto* head = new PageHead(tr("My results"));
-  outer->addWidget(head);
-  const auto scenarios = store.history.scenarios(student, student.id);
+  head_ = new PageHead(tr("My results"));
+  outer->addWidget(head_);
+  fill();
+}
+
+void OwnHistory::fill() {
+  const auto scenarios = store_.history.scenarios(student_, student_.id);
   if (!scenarios) {
     const Message message = describe(scenarios.error());
-    outer->addWidget(new EmptyState(u"warning"_qs, message.what, message.more, {}, Ink::bad), 1);
-    return;
+    auto* unread = new EmptyState(u"warning"_qs, message.what, message.more, tr("Try again"), Ink::bad);
+    connect(unread, &EmptyState::acted, this, [this] {
+      fill();
+      (table_ != nullptr ? static_cast<QWidget*>(table_) : instead_->button())->setFocus(Qt::OtherFocusReason);
+    });
+    return show_instead(unread);
   }
   if (scenarios->empty()) {
     auto* empty = new EmptyState(u"chart"_qs, tr("No attempt yet"), tr("Each attempt you finish stays here, with its report."),
                                  tr("Choose an exercise"));
     connect(empty, &EmptyState::acted, this, &OwnHistory::exercises_wanted);
-    outer->addWidget(empty, 1);
-    return;
+    return show_instead(empty);
   }
+  show_instead(nullptr);
+  auto* outer = static_cast<QVBoxLayout*>(layout());
   make_choice(*scenarios);
-  head->buttons()->addWidget(exercise_);
+  head_->buttons()->addWidget(exercise_);
   make_table();
-  unread_ = make_unread_band(table_, [this] { model_->fetch_again(); });
+  unread_ = make_unread_band(table_, [this] { read_unread(); });
   outer->addWidget(unread_);
   charted_ = make_label({}, TextRole::body, Weight::bold);
   charted_->setWordWrap(true);
@@ -59,6 +70,17 @@ OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent)
   outer->addWidget(card, 1);
   show_attempts();
   setFocusProxy(table_);
+}
+
+/// In place of the one before, whose button may have called. nullptr: of none.
+void OwnHistory::show_instead(EmptyState* state) {
+  if (instead_ != nullptr) {
+    instead_->hide();
+    layout()->removeWidget(instead_);
+    instead_->deleteLater();
+  }
+  instead_ = state;
+  if (state != nullptr) static_cast<QVBoxLayout*>(layout())->addWidget(state, 1);
 }
 
 void OwnHistory::make_choice(std::vector<PractisedScenario> scenarios) {
@@ -124,27 +146,48 @@ void OwnHistory::show_attempts() {
   const auto page_after = [this, own = filter()](const HistoryKey& after) -> std::optional<HistoryPage> {
     auto page = store_.history.page(student_, own, after, kAttemptsAtOnce);
     if (page) return std::move(*page);
-    unread_->show_message(Band::Kind::bad, tr("Older attempts are not shown: they could not be read."), describe(page.error()).line());
+    show_unread(tr("Older attempts are not shown: they could not be read."), page.error());
     return std::nullopt;
   };
   unread_->clear();
   auto first = store_.history.page(student_, filter(), std::nullopt, kAttemptsAtOnce);
-  if (!first) return show_failure(describe(first.error()));
-  if (first->rows.empty()) return;
-  auto newest = newest_result(first->rows);
-  if (!newest && first->after) {
-    if (const auto all = store_.history.list(student_, filter())) newest = newest_result(*all);
+  if (!first) {
+    // Charts and rows of another exercise would stand under this one's name.
+    hide_charts();
+    model_->set_rows({});
+    return show_unread(tr("Your attempts could not be read."), first.error());
   }
-  draw(newest);
+  const auto newest = newest_in(*first);
+  const auto drawn = newest ? draw(*newest) : Stored<void>(std::unexpected(newest.error()));
+  if (!drawn) {
+    hide_charts();
+    show_unread(tr("The charts are not shown: their attempts could not be read."), drawn.error());
+  }
   model_->set_pages(std::move(*first), page_after);
   table_->choose_row(0);
 }
 
-/// In place of charts and rows: those of another exercise would stand under this one's name.
-void OwnHistory::show_failure(const Message& message) {
+/// On a later page only if the first has none.
+Stored<std::optional<HistoryRow>> OwnHistory::newest_in(const HistoryPage& first) {
+  const auto newest = newest_result(first.rows);
+  if (newest || !first.after) return newest;
+  const auto all = store_.history.list(student_, filter());
+  if (!all) return std::unexpected(all.error());
+  return newest_result(*all);
+}
+
+void OwnHistory::hide_charts() {
   for (Chart* chart : {by_attempt_, by_time_, by_rating_}) chart->parentWidget()->hide();
-  model_->set_rows({});
-  charted_->setText(message.line());
+  charted_->clear();
+}
+
+void OwnHistory::show_unread(const QString& what, const StorageFailure& why) {
+  unread_->show_message(Band::Kind::bad, what, describe(why).line());
+}
+
+void OwnHistory::read_unread() {
+  if (model_->failed()) model_->fetch_again();
+  if (!model_->failed() && charted_->text().isEmpty()) show_attempts();
 }
 
 bool OwnHistory::read_again() {
@@ -163,25 +206,28 @@ bool OwnHistory::read_again() {
 
 /// A chart shows one exercise and one device class: those of the newest row with points. Without one there is none. What scripted
 /// operators drilled in the student's name stands in the table alone, as on the start page.
-void OwnHistory::draw(const std::optional<HistoryRow>& newest) {
-  for (Chart* chart : {by_attempt_, by_time_}) chart->parentWidget()->setVisible(newest.has_value());
+Stored<void> OwnHistory::draw(const std::optional<HistoryRow>& newest) {
   if (!newest) {
-    by_rating_->parentWidget()->hide();
-    return charted_->setText(tr("No result yet, so there is nothing to draw."));
+    hide_charts();
+    charted_->setText(tr("No result yet, so there is nothing to draw."));
+    return {};
   }
-  const QString device = device_name(newest->device_class);
-  charted_->setText(exercise_->currentData().toString().isEmpty() ? tr("%1, %2", "exercise, device").arg(local(newest->title), device) : device);
   HistoryFilter same = filter();
   same.scenario = newest->scenario;
   same.device_class = newest->device_class;
   same.scripted = false;
   const auto drawn = store_.history.list(student_, same);
-  if (!drawn) return show_failure(describe(drawn.error()));
+  if (!drawn) return std::unexpected(drawn.error());
+  const auto rated = store_.history.rated_attempts(student_, student_.id, newest->scenario, newest->device_class);
+  if (!rated) return std::unexpected(rated.error());
+  const QString device = device_name(newest->device_class);
+  charted_->setText(exercise_->currentData().toString().isEmpty() ? tr("%1, %2", "exercise, device").arg(local(newest->title), device) : device);
   by_attempt_->set_data(score_by_attempt(*drawn));
   by_time_->set_data(time_and_score(*drawn));
-  const auto rated = store_.history.rated_attempts(student_, student_.id, newest->scenario, newest->device_class);
-  by_rating_->parentWidget()->setVisible(rated && !rated->empty());
-  if (rated) by_rating_->set_data(own_against_measured(*rated));
+  by_rating_->set_data(own_against_measured(*rated));
+  for (Chart* chart : {by_attempt_, by_time_}) chart->parentWidget()->show();
+  by_rating_->parentWidget()->setVisible(!rated->empty());
+  return {};
 }
 
 }  // namespace cusp::ui
