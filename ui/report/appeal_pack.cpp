@@ -96,6 +96,7 @@ Result<void, Message> write_report(const fs::path& folder, Store& store, Session
   const auto student = store.accounts.find(session->student);
   if (!student) return std::unexpected(describe(student.error()));
   const ReportData data = gather_report(*result, &store, &kReader);
+  if (data.unread) return std::unexpected(describe(*data.unread));
   const DrawnTooth tooth = draw_report_tooth(*result, order_for_paper(data, kPictureSidePx));
   if (const auto pdf = write_report_pdf(folder / "report.pdf", data, tooth); !pdf) return std::unexpected(no_room(QString::fromStdString(pdf.error().detail)));
   if (auto written = write_content(folder / "report.json", report_text(data.result, store, *student)); !written) return written;

@@ -73,30 +73,36 @@ bool changes_result(const SignedStatement& s) {
   return s.kind == StatementKind::override_points || s.kind == StatementKind::override_critical;
 }
 
+/// Keeps the first reason. A right that the reader lacks is none, nor is what the records never held.
+void note_unread(ReportData& data, const StorageFailure& why) {
+  const bool is_reason = why.code != StorageError::not_allowed && why.code != StorageError::not_found;
+  if (is_reason && !data.unread) data.unread = why;
+}
+
 /// Comments first come from older programs, then everything that is stated.
-std::vector<Remark> remarks_of(Store& store, const Actor& reader, const SessionDetails& details, const Region& whole) {
-  std::vector<Remark> out;
+void add_remarks(ReportData& data, Store& store, const Actor& reader, const SessionDetails& details) {
+  std::vector<Remark>& out = data.remarks;
   const auto name_of = [&](UserId id) {
     const auto account = store.accounts.find(id);
     return account ? QString::fromStdString(account->name) : QString();
   };
   const auto statements = store.statements.of(reader, details.row.session);
+  if (!statements) note_unread(data, statements.error());
   for (const Comment& c : details.comments) {
     const bool stated = statements && std::ranges::any_of(*statements, [&](const SignedStatement& s) { return s.id == c.id; });
     if (!stated) out.push_back({{}, name_of(c.author), local_time(c.at_utc_us), {}, QString::fromStdString(c.text), c.place_mm, false});
   }
-  if (!statements || !details.grade) return out;
+  if (!statements || !details.grade) return;
   for (const SignedStatement& s : in_force(*statements)) {
     if (s.kind == StatementKind::self_assessment) continue;  // it stands beside the criteria
     if (s.grade && *s.grade != details.grade->stored.number) continue;
     const bool of_procedure = s.kind == StatementKind::confirmation || s.kind == StatementKind::release;
     if (of_procedure && !may(reader.role, Action::comment)) continue;
-    const QString head = remark_head(s, details.grade->stored.grade, &whole);
+    const QString head = remark_head(s, details.grade->stored.grade, &data.result.scenario.target);
     const bool superseded = changes_result(s) && !among(details.grade->overrides, &SignedStatement::id, s.id);
     out.push_back({s.id, name_of(s.author), local_time(s.at_utc_us), superseded ? ReportText::tr("%1 (superseded)").arg(head) : head,
                    QString::fromStdString(s.text), s.place_mm, superseded});
   }
-  return out;
 }
 
 /// Points that count in place of measured ones, with who changed them and why.
@@ -113,6 +119,40 @@ std::vector<PointsChange> changes_of(Store& store, const EffectiveGrade& counts)
                                     .arg(format_points(points_of_score(stored, s.criterion, s.points.value_or(0))), format_points(before), isolate(who), isolate(QString::fromStdString(s.text)))});
   }
   return out;
+}
+
+/// Times of the burs, and the peak force unless a criterion measured it.
+void add_use(ReportData& data, Store& store) {
+  if (const auto chunks = store.traces.chunks(data.result.session)) {
+    BurUse use;
+    for (const ChunkInfo& chunk : *chunks) {
+      const auto inputs = store.traces.inputs(data.result.session, chunk.number);
+      if (inputs) use.add(*inputs);
+      if (!inputs && inputs.error().where == "thinned") data.thinned = describe(inputs.error()).what;
+    }
+    data.burs = use.spans();
+  }
+  if (data.peak_push_n) return;
+  if (const auto seconds = store.metrics.over_time(data.result.session); seconds && !seconds->empty()) {
+    double peak = 0;
+    for (const MetricsRow& row : *seconds) peak = std::max(peak, row.metrics.force_peak_n);
+    data.peak_push_n = peak;
+  }
+}
+
+void add_before(ReportData& data, Store& store, const Actor& reader) {
+  const auto note = [&data](const StorageFailure& why) {
+    note_unread(data, why);
+    data.before_read = false;
+  };
+  const auto best = store.history.best_before(reader, data.result.session);
+  if (!best) return note(best.error());
+  if (!*best) return;
+  const auto earlier = store.history.details(reader, (*best)->session);
+  if (!earlier) return note(earlier.error());
+  if (!earlier->grade) return;
+  data.before = earlier->grade->grade;
+  data.before_when = local_time((*best)->started_utc_us);
 }
 
 bool changed_by_hand(const ReportData& data, const CriterionGrade& c) { return among(data.changes, &PointsChange::criterion, c.id); }
@@ -141,11 +181,14 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
     if (c.id == "force_peak" && c.measure.measured) data.peak_push_n = c.measure.value;
   }
   if (!kept) return data;
+  if (!details) note_unread(data, details.error());
   if (details) {
-    data.remarks = remarks_of(*store, *reader, *details, result.scenario.target);
+    add_remarks(data, *store, *reader, *details);
     data.released = details->row.released;
     if (!details->session.header.exercise.empty()) data.drawn_tooth = result.scenario.specimen.seed;
-    if (auto own = store->statements.self_assessment(*reader, result.session)) data.own = std::move(*own);
+    auto own = store->statements.self_assessment(*reader, result.session);
+    if (own) data.own = std::move(*own);
+    if (!own) note_unread(data, own.error());
     // An assessment is marked without the name.
     data.student = details->row.kind == SessionKind::assessment && details->session.assignment
                        ? ReportText::tr("Candidate %1")
@@ -155,29 +198,8 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
     data.kind = details->row.kind;
     data.attempt = details->row.attempt;
   }
-  if (const auto chunks = store->traces.chunks(result.session)) {
-    BurUse use;
-    for (const ChunkInfo& chunk : *chunks) {
-      const auto inputs = store->traces.inputs(result.session, chunk.number);
-      if (inputs) use.add(*inputs);
-      if (!inputs && inputs.error().where == "thinned") data.thinned = describe(inputs.error()).what;
-    }
-    data.burs = use.spans();
-  }
-  if (!data.peak_push_n) {
-    if (const auto seconds = store->metrics.over_time(result.session); seconds && !seconds->empty()) {
-      double peak = 0;
-      for (const MetricsRow& row : *seconds) peak = std::max(peak, row.metrics.force_peak_n);
-      data.peak_push_n = peak;
-    }
-  }
-  const auto best = store->history.best_before(*reader, result.session);
-  if (best && *best) {
-    if (const auto earlier = store->history.details(*reader, (*best)->session); earlier && earlier->grade) {
-      data.before = earlier->grade->grade;
-      data.before_when = local_time((*best)->started_utc_us);
-    }
-  }
+  add_use(data, *store);
+  add_before(data, *store, *reader);
   return data;
 }
 
@@ -229,7 +251,7 @@ QString no_advice_text(const ReportData& data) {
 QString occasion_text(const ReportData& data, Medium medium) {
   if (cut_at_once(data.result)) return operator_name(data.result.operator_name);
   if (of_a_file(data.result)) return ReportText::tr("A volume from a file");
-  if (data.attempt == 0) return ReportText::tr("Nothing of this attempt is kept");
+  if (data.attempt == 0) return data.unread ? ReportText::tr("The records of this attempt could not be read") : ReportText::tr("Nothing of this attempt is kept");
   const QString when = medium == Medium::paper ? format_date_time_zone(data.when) : format_day_time(data.when);
   return ReportText::tr("%1 · %2, attempt %3").arg(when, kind_name(data.kind)).arg(data.attempt);
 }
@@ -249,6 +271,7 @@ QString circumstances_text(const ReportData& data) {
     parts += ReportText::tr("tissues at %1 of their stiffness")
                  .arg(format({data.result.stiffness_share * 100, std::nullopt, u"%"_qs, 0}));
   }
+  if (data.unread) parts += ReportText::tr("parts of the records could not be read");
   return parts.join(u" · "_qs);
 }
 

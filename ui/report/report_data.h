@@ -50,7 +50,10 @@ struct ReportData {
   bool released = true;                  // false: an assessment whose result the student does not see yet
   std::optional<Grade> before;    // the best attempt before, of the same exercise and device class
   QDateTime before_when;
+  bool before_read = true;        // false: whether there is one could not be read
   bool alone = false;             // of an appeal pack: its records hold no other attempt
+  /// Why remarks, changed points, the own assessment or an earlier result may be missing; none: all was read.
+  std::optional<StorageFailure> unread;
 };
 
 /// With a null `store` or `reader` the data holds the result alone.

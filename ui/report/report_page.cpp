@@ -70,6 +70,7 @@ void ReportPage::fill() {
   against_ = nullptr;
   QVBoxLayout* head = container(&head_);
   head_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);  // a high window leaves its room below
+  if (data_.unread) head->addWidget(make_unread());
   head->addWidget(make_score());
   if (QWidget* remarks = make_remarks()) head->addWidget(remarks);
   QVBoxLayout* main = container(&main_);

@@ -74,6 +74,7 @@ class ReportPage : public QWidget {
   void show_state();
   void choose_first();
   QWidget* make_score();
+  QWidget* make_unread();
   QWidget* make_remarks();
   QWidget* make_criteria();
   QWidget* make_next_time();

@@ -8,6 +8,7 @@
 #include "ui/report/against_before.h"
 #include "ui/report/pinned_tooth.h"
 #include "ui/report/report_page.h"
+#include "ui/text/failure_text.h"
 #include "ui/text/grade_text.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/icon.h"
@@ -44,6 +45,13 @@ QWidget* ReportPage::make_remarks() {
     card->body()->addLayout(line);
   }
   return card;
+}
+
+QWidget* ReportPage::make_unread() {
+  auto* band = new Band(head_);
+  band->show_message(Band::Kind::bad, tr("This report is not whole: parts of the records could not be read."),
+                     tr("Remarks, changed points or an earlier result may be missing. %1").arg(describe(*data_.unread).line()));
+  return band;
 }
 
 QWidget* ReportPage::make_next_time() {
@@ -102,6 +110,7 @@ QWidget* ReportPage::make_against() {
   };
   if (!data_.before) {
     return say(data_.alone          ? tr("An appeal pack holds one attempt alone.")
+               : !data_.before_read ? tr("It could not be read whether a result came before.")
                : data_.attempt == 0 ? tr("Nothing of this attempt is kept, so it is compared with no other.")
                                     : tr("No result with this device came before. From the next one on this compares the two."));
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <algorithm>
 
 #include "storage/retention/thinning.h"
 #include "tests/modules.h"
@@ -10,6 +11,7 @@
 #include "tests/ui/report/sample_report.h"
 #include "ui/report/against_before.h"
 #include "ui/report/report_page.h"
+#include "ui/widgets/parts.h"
 
 namespace cusp::test {
 namespace {
@@ -85,6 +87,43 @@ TEST(ReportStates, a_best_attempt_that_was_marked_by_other_criteria_compares_by_
   EXPECT_TRUE(texts_on(page).contains(sentence));
   EXPECT_TRUE(texts_on(page).contains(QStringLiteral(", 74"))) << "the points stay";
   EXPECT_EQ(page.findChild<AgainstBefore*>(), nullptr);
+}
+
+TEST(ReportStates, records_that_cannot_be_read_are_named_and_nothing_is_denied) {
+  DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt");
+  records.attempt(lena, "channel-1", 74, 100);
+  SessionResult result;
+  result.scenario = *load_builtin("channel-1");
+  result.grade = sample_grade(78);
+  result.session = records.attempt(lena, "channel-1", 78, 100);
+  const Actor reader = lena.actor();
+  const Ports ports = Ports::of_the_system();
+  const auto report = [&] { return gather_report(result, &records.store(), &reader); };
+  const QString not_whole = QStringLiteral("This report is not whole");
+  const auto warns = [&](const ReportPage& page) {
+    return std::ranges::any_of(page.findChildren<Band*>(), [&](const Band* band) { return band->text().contains(not_whole); });
+  };
+  EXPECT_FALSE(report().unread);
+  EXPECT_FALSE(warns(ReportPage(report(), ports, ReportPage::TryAgain::offered, QStringLiteral("Back"))));
+
+  ASSERT_TRUE(records.store().database().run("DROP INDEX graded_of_student"));  // no best attempt is found without it
+  {
+    const ReportData data = report();
+    ASSERT_TRUE(data.unread);
+    const ReportPage page(data, ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
+    EXPECT_TRUE(warns(page));
+    const QString texts = texts_on(page);
+    EXPECT_FALSE(texts.contains(QStringLiteral("No result with this device came before."))) << texts.toStdString();
+  }
+  ASSERT_TRUE(records.store().database().run("DROP INDEX statements_of_session"));  // no remarks are read without it
+  const ReportData data = report();
+  ASSERT_TRUE(data.unread);
+  const ReportPage page(data, ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
+  EXPECT_TRUE(warns(page));
+  const QString texts = texts_on(page);
+  EXPECT_FALSE(texts.contains(QStringLiteral("Nothing of this attempt is kept"))) << texts.toStdString();
+  EXPECT_TRUE(circumstances_text(data).contains(QStringLiteral("could not be read"))) << "paper has no band";
 }
 
 TEST(ReportStates, one_point_that_was_changed_is_read_in_the_singular) {
