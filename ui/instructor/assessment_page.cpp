@@ -37,6 +37,7 @@ bool waits_for_confirmation(const CandidateRow& row) {
 }
 
 QString marked_text(const CandidateRow& row) {
+  if (!row.grade_read) return CandidatesModel::tr("could not be read");
   if (!row.grade) return {};
   if (row.grade->needs_confirmation()) return CandidatesModel::tr("to be confirmed");
   if (row.grade->confirmation) return CandidatesModel::tr("confirmed");
@@ -71,6 +72,7 @@ QVariant CandidatesModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::AccessibleTextRole && column == kOpen) return has_report(r) ? tr("Report") : QString();
   if (role == QuietRole) return !r.attempt && column != kCandidate;
   if (role == ChipRole && column == kResult && r.attempt) return result_chip(*r.attempt);
+  if (role == ChipRole && column == kMarked && !r.grade_read) return static_cast<int>(Chip::Kind::bad);
   if (role == ChipRole && column == kMarked && r.grade && r.grade->needs_confirmation()) return static_cast<int>(Chip::Kind::look);
   if (role != Qt::DisplayRole) return {};
   switch (column) {
@@ -109,7 +111,8 @@ AssessmentPage::AssessmentPage(Store& store, const Actor& actor, AssignmentId as
   setAttribute(Qt::WA_StyledBackground);
   setAccessibleName(tr("Results of an assignment"));
   QString title, aside;
-  if (const auto found = store.assignments.find(assignment)) {
+  const auto found = store.assignments.find(assignment);
+  if (found) {
     assignment_ = *found;
     if (const auto version = store.scenarios.version(found->version)) title = local(version->title);
     aside = kind_name(found->kind);
@@ -150,6 +153,7 @@ AssessmentPage::AssessmentPage(Store& store, const Actor& actor, AssignmentId as
     if (at.column() == CandidatesModel::kOpen) open_chosen();
   });
   read();
+  if (!found) show_failure(found.error());
   setFocusProxy(table_);
 }
 
@@ -306,6 +310,21 @@ void AssessmentPage::showEvent(QShowEvent* event) {
   read();
 }
 
+/// Fails if the adjustment cannot be read. A grade that cannot be read is marked as such.
+Stored<void> AssessmentPage::complete(CandidateRow& row) {
+  row.candidate = QString::fromStdString(candidate_number(assignment_.id, row.student));
+  const auto adjustment = store_.assignments.adjustment(assignment_.id, row.student);
+  if (!adjustment) return std::unexpected(adjustment.error());
+  row.adjustment = *adjustment;
+  if (row.attempt) {
+    const auto details = store_.history.details(actor_, row.attempt->session);
+    row.grade_read = details.has_value();
+    if (details) row.grade = details->grade;
+  }
+  if (const auto account = store_.accounts.find(row.student)) row.name = QString::fromStdString(account->name);
+  return {};
+}
+
 void AssessmentPage::read() {
   const auto attempts = store_.history.of_assignment(actor_, assignment_.id);
   if (!attempts) return show_failure(attempts.error());
@@ -317,19 +336,13 @@ void AssessmentPage::read() {
     return !kept->attempt || (row.attempt && row.attempt->session == kept->attempt->session);
   };
   std::vector<CandidateRow> rows;
-  const auto add = [&](UserId student, const HistoryRow* attempt) {
-    CandidateRow row{student, QString::fromStdString(candidate_number(assignment_.id, student)), {}, {}, {}, {}};
-    row.adjustment = store_.assignments.adjustment(assignment_.id, student).value_or(Adjustment{});
-    if (attempt != nullptr) {
-      row.attempt = *attempt;
-      if (const auto details = store_.history.details(actor_, attempt->session)) row.grade = details->grade;
-    }
-    if (const auto account = store_.accounts.find(student)) row.name = QString::fromStdString(account->name);
-    rows.push_back(std::move(row));
-  };
-  for (const HistoryRow& attempt : *attempts) add(attempt.student, &attempt);
+  for (const HistoryRow& attempt : *attempts) rows.push_back({.student = attempt.student, .attempt = attempt});
   for (const UserId student : *students) {
-    if (std::ranges::find(*attempts, student, &HistoryRow::student) == attempts->end()) add(student, nullptr);
+    if (std::ranges::find(*attempts, student, &HistoryRow::student) == attempts->end()) rows.push_back({.student = student});
+  }
+  for (CandidateRow& row : rows) {
+    // A row without its extra time would say that there is none, and the next adjustment would end it.
+    if (const auto completed = complete(row); !completed) return show_failure(completed.error());
   }
   std::ranges::stable_sort(rows, {}, &CandidateRow::candidate);
   release_->setEnabled(std::ranges::any_of(rows, may_be_released));

@@ -26,10 +26,11 @@ class Table;
 /// A candidate's attempt; without `attempt` the student has begun none.
 struct CandidateRow {
   UserId student;
-  QString candidate, name;
+  QString candidate{}, name{};
   Adjustment adjustment{};
-  std::optional<HistoryRow> attempt;
-  std::optional<EffectiveGrade> grade;
+  std::optional<HistoryRow> attempt{};
+  std::optional<EffectiveGrade> grade{};
+  bool grade_read = true;  // false: whether there is one could not be read
 };
 
 class CandidatesModel : public QAbstractTableModel {
@@ -84,6 +85,7 @@ class AssessmentPage : public QWidget, public HalfFilled {
   /// Asks first about an adjustment that is not kept yet.
   void leave_adjustment(std::function<void()> then);
   void leave();
+  Stored<void> complete(CandidateRow& row);
   void read();
   void open_chosen();
   void release_now();

@@ -59,6 +59,8 @@ CohortsPage::CohortsPage(Store& store, const Actor& actor, const Ports& ports, Q
       form_ = new AssignmentForm(std::move(list->exercises), ports_.now());
       connect(form_, &AssignmentForm::assign_wanted, this, &CohortsPage::assign);
       columns_->addWidget(form_, 0, 2, 2, 1, Qt::AlignTop);
+    } else {
+      show_failure(list.error());
     }
   }
   outer->addLayout(columns_, 1);
@@ -227,20 +229,29 @@ void CohortsPage::show_chosen() {
     return;
   }
   const Cohort cohort = cohorts_->cohort(row);
+  students_card_->set_aside(QString::fromStdString(cohort.name));
+  // What stands there is of the cohort before: under this one's name it would be taken out and withdrawn.
+  const auto show_none = [this](const StorageFailure& why) {
+    students_->set_students({});
+    assignments_->set_rows({});
+    show_failure(why);
+  };
   const auto inside = store_.cohorts.students(cohort.id);
-  if (!inside) return show_failure(inside.error());
+  if (!inside) return show_none(inside.error());
   auto accounts = store_.accounts.list(actor_);
-  if (!accounts) return show_failure(accounts.error());
+  if (!accounts) return show_none(accounts.error());
   const std::set<UserId> ids(inside->begin(), inside->end());
   std::erase_if(*accounts, [&](const Account& account) { return !ids.contains(account.id); });
-  students_card_->set_aside(QString::fromStdString(cohort.name));
   students_->set_students(std::move(*accounts));
   show_assignments();
 }
 
 void CohortsPage::show_assignments() {
   const auto list = store_.assignments.for_cohort(cohorts_->cohort(list_->chosen_row()).id);
-  if (!list) return show_failure(list.error());
+  if (!list) {
+    assignments_->set_rows({});
+    return show_failure(list.error());
+  }
   std::vector<AssignmentRow> rows;
   for (const Assignment& assignment : *list) {
     const auto version = store_.scenarios.version(assignment.version);

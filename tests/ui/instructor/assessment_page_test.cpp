@@ -141,6 +141,36 @@ TEST_F(Candidates, ReceiveAnAdjustmentThatShowsBesideTheirNumber) {
   EXPECT_EQ(row_of(page, ida).adjustment, both);
 }
 
+TEST_F(Candidates, WhoseAdjustmentsCannotBeReadAreNotListedAsHavingNone) {
+  ASSERT_TRUE(records.store().assignments.adjust(examiner, assignment.id, lena.id, {25, false}));
+  ASSERT_TRUE(records.store().database().run("DROP INDEX adjustments_of_assignment"));  // no extra time is found without it
+  const AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  EXPECT_NE(page.message(), QString());
+  EXPECT_EQ(page.model().rowCount(), 0);
+}
+
+TEST_F(Candidates, WhoseMarksCannotBeReadSaySoInTheirRow) {
+  AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  const auto marked = [&](int row) { return page.model().index(row, CandidatesModel::kMarked).data().toString(); };
+  const auto unread = [&] {
+    int rows = 0;
+    for (int i = 0; i < page.model().rowCount(); ++i) rows += marked(i) == QStringLiteral("could not be read") ? 1 : 0;
+    return rows;
+  };
+  page.show();
+  EXPECT_EQ(unread(), 0);
+  ASSERT_TRUE(records.store().database().run("ALTER TABLE removed_tissues RENAME TO lost_tissues"));
+  page.hide();
+  page.show();
+  EXPECT_EQ(page.model().rowCount(), 3);
+  EXPECT_EQ(unread(), 2) << "the third has not begun";
+}
+
+TEST_F(Candidates, OfAnAssignmentThatCannotBeReadAreNotCalledNone) {
+  const AssessmentPage page(records.store(), examiner, AssignmentId::make(), ports);
+  EXPECT_NE(page.message(), QString());
+}
+
 TEST_F(Candidates, KeepAnAdjustmentThatAnotherDeskMadeMeanwhile) {
   AssessmentPage page(records.store(), examiner, assignment.id, ports);
   for (int i = 0; i < 3; ++i)

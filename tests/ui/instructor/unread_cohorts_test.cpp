@@ -1,0 +1,57 @@
+// The cohorts' page over records that cannot be read.
+#include <gtest/gtest.h>
+
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/write.h"
+#include "scenarios/library/library.h"
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/instructor/cohorts_page.h"
+#include "ui/widgets/table.h"
+
+namespace cusp::test {
+namespace {
+
+struct UnreadCohorts : ::testing::Test {
+  UnreadCohorts() {
+    ports.now = [] { return QDateTime(QDate(2026, 11, 20), QTime(9, 0)); };
+  }
+  ScenarioVersion exercise() {
+    const Scenario scenario = *load_builtin("channel-1");
+    return *records.store().scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes);
+  }
+
+  DeskRecords records;
+  Ports ports;
+  Account lena = records.student("4711", "Lena Brandt");
+  Actor instructor =
+      records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
+};
+
+TEST_F(UnreadCohorts, ShowNoStudentsAndTasksOfAnother) {
+  Store& store = records.store();
+  const Cohort one = *store.cohorts.create(instructor, "A year");
+  ASSERT_TRUE(store.cohorts.create(instructor, "B year"));
+  ASSERT_TRUE(store.cohorts.add(instructor, one.id, lena.id));
+  const auto version = exercise();
+  ASSERT_TRUE(store.assignments.create(instructor, {.version = version.id, .cohort = one.id, .kind = SessionKind::practice}, ""));
+  CohortsPage page(store, instructor, ports);
+  ASSERT_EQ(page.students().rowCount(), 1);
+  ASSERT_EQ(page.assignments().rowCount(), 1);
+  ASSERT_TRUE(store.database().run("ALTER TABLE cohort_students RENAME TO lost_students"));
+  for (Table* table : page.findChildren<Table*>())
+    if (table->model() == &page.cohorts()) table->choose_row(1);
+  EXPECT_NE(page.message(), QString());
+  EXPECT_EQ(page.students().rowCount(), 0);
+  EXPECT_EQ(page.assignments().rowCount(), 0);
+}
+
+TEST_F(UnreadCohorts, SayWithoutExercisesWhyNothingCanBeAssigned) {
+  ASSERT_TRUE(records.store().database().run("ALTER TABLE scenario_versions RENAME TO lost_versions"));
+  const CohortsPage page(records.store(), instructor, ports);
+  EXPECT_EQ(page.form(), nullptr);
+  EXPECT_NE(page.message(), QString());
+}
+
+}  // namespace
+}  // namespace cusp::test
