@@ -18,10 +18,10 @@ namespace {
 QString how_far(Store& store, const HistoryRow& row) {
   const QString time = duration_text(static_cast<double>(row.elapsed_us) * 1e-6);
   if (row.kind == SessionKind::assessment) return InterruptedCard::tr("It broke off after %1. All of it is kept.").arg(time);
+  const auto removed = store.metrics.removed(row.session);
+  if (!removed) return InterruptedCard::tr("It broke off after %1. All of it is kept.").arg(time);  // how much was cut is not known
   double mm3 = 0;
-  if (const auto removed = store.metrics.removed(row.session)) {
-    for (const RemovedTissue& tissue : *removed) mm3 += tissue.mm3;
-  }
+  for (const RemovedTissue& tissue : *removed) mm3 += tissue.mm3;
   if (!(mm3 > 0)) return InterruptedCard::tr("It broke off after %1, before anything was cut.").arg(time);
   return InterruptedCard::tr("It broke off after %1, with %2 cut. All of that is kept.")
       .arg(time, format({mm3, std::nullopt, QStringLiteral("mm3"), 1}));

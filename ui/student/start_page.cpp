@@ -133,7 +133,7 @@ QWidget* StartPage::make_main(const Account& account) {
     column->addWidget(card);
   }
   if (!course_.rows.empty()) column->addWidget(make_list());
-  if (QWidget* comment = make_comment(account)) column->addWidget(comment);
+  add_comment(*column, account);
   auto* note = new QHBoxLayout;
   note->setSpacing(px(8));
   auto* sign = new QLabel;
@@ -258,9 +258,10 @@ QWidget* StartPage::make_list() {
   return card;
 }
 
-QWidget* StartPage::make_comment(const Account& account) {
+void StartPage::add_comment(QBoxLayout& column, const Account& account) {
   const auto newest = store_.history.newest_comment(account.actor(), account.id);
-  if (!newest || !*newest) return nullptr;
+  if (!newest) return add_band(column, {tr("The newest comment could not be read."), describe(newest.error()).line()});
+  if (!*newest) return;
   const Comment& c = (*newest)->comment;
   const auto author = store_.accounts.find(c.author);
   auto* card = new Card(tr("From your instructor"), tr("on your attempt of %1").arg(format_day(local_time((*newest)->started_utc_us))));
@@ -270,7 +271,7 @@ QWidget* StartPage::make_comment(const Account& account) {
   text->setTextFormat(Qt::RichText);
   text->setWordWrap(true);
   card->body()->addWidget(text);
-  return card;
+  column.addWidget(card);
 }
 
 void StartPage::show_picture() {

@@ -65,7 +65,7 @@ class StartPage : public QWidget {
   void add_advice(Card& card, const HistoryRow& last, const Account& account);
   QWidget* make_chart();
   /// The newest comment of an instructor; nullptr without one.
-  QWidget* make_comment(const Account& account);
+  void add_comment(QBoxLayout& column, const Account& account);
   void show_picture();
 
   Store& store_;

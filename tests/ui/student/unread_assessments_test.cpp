@@ -1,7 +1,9 @@
 // The start page of a student with assessments that cannot be read.
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QTest>
+#include <algorithm>
 
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
@@ -85,6 +87,27 @@ TEST_F(UnreadAssessments, are_joined_by_an_interrupted_attempt_that_cannot_be_re
   const QString band = message();
   EXPECT_TRUE(band.startsWith(QStringLiteral("An interrupted attempt could not be read."))) << band.toStdString();
   EXPECT_TRUE(shown->findChildren<InterruptedCard*>().empty());
+}
+
+TEST_F(UnreadAssessments, are_joined_by_a_comment_that_cannot_be_read) {
+  EXPECT_EQ(message(), QString());
+  ASSERT_TRUE(records.store().database().run("ALTER TABLE comments RENAME TO lost_comments"));
+  const QString band = message();
+  EXPECT_TRUE(band.startsWith(QStringLiteral("The newest comment could not be read."))) << band.toStdString();
+}
+
+TEST_F(UnreadAssessments, leave_an_interrupted_attempt_whose_cuts_cannot_be_read_without_a_word_about_them) {
+  records.broken_attempt(lena, "paper-block");
+  EXPECT_EQ(message(), QString());
+  const auto cards_say = [&](const QString& part) {
+    const InterruptedCard* card = shown->findChild<InterruptedCard*>();
+    return card != nullptr && std::ranges::any_of(card->findChildren<QLabel*>(), [&](const QLabel* label) { return label->text().contains(part); });
+  };
+  EXPECT_TRUE(cards_say(QStringLiteral("before anything was cut")));
+  ASSERT_TRUE(records.store().database().run("ALTER TABLE removed_tissues RENAME TO lost_tissues"));
+  EXPECT_EQ(message(), QString());
+  EXPECT_TRUE(cards_say(QStringLiteral("It broke off after")));
+  EXPECT_FALSE(cards_say(QStringLiteral("before anything was cut")));
 }
 
 }  // namespace
