@@ -169,13 +169,15 @@ void CohortsPage::fit_assignment() {
   withdraw_->setEnabled(chosen && !assignments_->row(row).assignment.withdrawn);
   QString code;
   if (chosen) {  // an interrupted attempt of a withdrawn one is resumed with it
-    if (const auto known = store_.assignments.start_code(actor_, assignments_->row(row).assignment.id)) code = QString::fromStdString(*known);
+    const auto known = store_.assignments.start_code(actor_, assignments_->row(row).assignment.id);
+    if (!known) code = tr("The start code could not be read");
+    if (known && !known->empty()) code = tr("Start code %1").arg(QString::fromStdString(*known));
   }
   QStringList aside;
   if (row >= 0 && !assignments_->row(row).assignment.device_classes.empty()) {
     aside += tr("only with %1").arg(device_names(assignments_->row(row).assignment.device_classes));
   }
-  if (!code.isEmpty()) aside += tr("Start code %1").arg(code);
+  if (!code.isEmpty()) aside += code;
   assignments_card_->set_aside(aside.join(u" · "_qs));
 }
 

@@ -1,6 +1,9 @@
 // The cohorts' page over records that cannot be read.
 #include <gtest/gtest.h>
 
+#include <QLabel>
+#include <algorithm>
+
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
@@ -51,6 +54,20 @@ TEST_F(UnreadCohorts, SayWithoutExercisesWhyNothingCanBeAssigned) {
   const CohortsPage page(records.store(), instructor, ports);
   EXPECT_EQ(page.form(), nullptr);
   EXPECT_NE(page.message(), QString());
+}
+
+TEST_F(UnreadCohorts, ShowThatTheStartCodeOfAnAssessmentCannotBeRead) {
+  Store& store = records.store();
+  const Cohort year = *store.cohorts.create(instructor, "A year");
+  const auto version = exercise();
+  ASSERT_TRUE(store.assignments.create(instructor, {.version = version.id, .cohort = year.id, .kind = SessionKind::assessment}, "4711"));
+  ASSERT_TRUE(store.database().run("ALTER TABLE assessments RENAME TO lost_assessments"));
+  CohortsPage page(store, instructor, ports);
+  ASSERT_EQ(page.assignments().rowCount(), 1) << page.message().toStdString();
+  for (Table* table : page.findChildren<Table*>())
+    if (table->model() == &page.assignments()) table->choose_row(0);
+  const auto says_why = [](const QLabel* label) { return label->text().contains(QStringLiteral("The start code could not be read")); };
+  EXPECT_TRUE(std::ranges::any_of(page.findChildren<QLabel*>(), says_why));
 }
 
 }  // namespace
