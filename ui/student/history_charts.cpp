@@ -85,6 +85,8 @@ void put_scores(ChartData& d, const std::vector<HistoryRow>& graded) {
   d.summary = summary_of(graded);
 }
 
+bool is_drawn(const RatedAttempt& attempt) { return attempt.points.criteria > 0; }
+
 QString summary_of_ratings(int count, double last) {
   const QString rated = format_number(count, 0), apart = format_number(std::abs(last), 0);
   if (last > 0) return ChartText::tr("Rated attempts: %1. The last was rated %2 of 100 points higher than it was measured.").arg(rated, apart);
@@ -134,7 +136,7 @@ ChartData own_against_measured(const std::vector<RatedAttempt>& attempts) {
   int last = 0;
   QVector<ChartPoint> points;
   for (const RatedAttempt& a : attempts) {
-    if (a.points.criteria == 0) continue;
+    if (!is_drawn(a)) continue;
     const double own = std::round(a.points.own), measured = std::round(a.points.measured);
     const double difference = own - measured;  // of the points as they are shown
     widest = std::max(widest, std::abs(difference));
@@ -153,6 +155,19 @@ ChartData own_against_measured(const std::vector<RatedAttempt>& attempts) {
   if (!points.isEmpty()) d.summary = summary_of_ratings(static_cast<int>(points.size()), points.last().y);
   d.series += series_of(ChartText::tr("Own less measured"), std::move(points));
   return d;
+}
+
+std::vector<SessionId> sessions_drawn(const std::vector<HistoryRow>& attempts) {
+  std::vector<SessionId> out;
+  for (const HistoryRow& attempt : in_order(attempts)) out.push_back(attempt.session);
+  return out;
+}
+
+std::vector<SessionId> sessions_drawn(const std::vector<RatedAttempt>& attempts) {
+  std::vector<SessionId> out;
+  for (const RatedAttempt& a : attempts)
+    if (is_drawn(a)) out.push_back(a.session);
+  return out;
 }
 
 }  // namespace cusp::ui

@@ -20,4 +20,8 @@ ChartData score_by_attempt(const std::vector<HistoryRow>& attempts);
 /// Own assessment less what was measured, in points of 100, against the number of the attempt. Oldest first.
 ChartData own_against_measured(const std::vector<RatedAttempt>& attempts);
 
+/// Whose the points are that the first two, or the last one, draw: in their order.
+std::vector<SessionId> sessions_drawn(const std::vector<HistoryRow>& attempts);
+std::vector<SessionId> sessions_drawn(const std::vector<RatedAttempt>& attempts);
+
 }  // namespace cusp::ui

@@ -116,6 +116,9 @@ QBoxLayout* OwnHistory::make_charts() {
     card->body()->addWidget(chart);
     card->setFixedHeight(px(250));
     charts->addWidget(card, 1);
+    connect(chart, &Chart::point_opened, this, [this, &sessions = chart == by_rating_ ? rated_ : drawn_](int, int point) {
+      Q_EMIT report_wanted(sessions[static_cast<std::size_t>(point)]);
+    });
   }
   by_rating_->parentWidget()->hide();
   return charts;
@@ -222,6 +225,8 @@ Stored<void> OwnHistory::draw(const std::optional<HistoryRow>& newest) {
   if (!rated) return std::unexpected(rated.error());
   const QString device = device_name(newest->device_class);
   charted_->setText(exercise_->currentData().toString().isEmpty() ? tr("%1, %2", "exercise, device").arg(local(newest->title), device) : device);
+  drawn_ = sessions_drawn(*drawn);
+  rated_ = sessions_drawn(*rated);
   by_attempt_->set_data(score_by_attempt(*drawn));
   by_time_->set_data(time_and_score(*drawn));
   by_rating_->set_data(own_against_measured(*rated));

@@ -58,6 +58,7 @@ class OwnHistory : public QWidget, public Rereads {
   QLabel* charted_ = nullptr;  // the device of the charts, and their exercise while the table lists all; empty: they could not be read
   Chart *by_attempt_ = nullptr, *by_time_ = nullptr;
   Chart* by_rating_ = nullptr;  // its card shows with an attempt that was rated
+  std::vector<SessionId> drawn_, rated_;  // whose the points of the first two are, and of the last one
 };
 
 }  // namespace cusp::ui

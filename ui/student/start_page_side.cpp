@@ -128,7 +128,7 @@ void StartPage::add_advice(Card& card, const HistoryRow& last, const Account& ac
 QWidget* StartPage::make_chart() {
   // One exercise and one device class a chart: those of the last result.
   const auto& last = course_.last_graded;
-  std::vector<HistoryRow> attempts = course_.charted;
+  const std::vector<HistoryRow>& attempts = course_.charted;
   auto* card = new Card(tr("Time and score"), last ? local(last->title) : QString());
   card->wrap_aside();
   if (attempts.empty()) {
@@ -146,9 +146,8 @@ QWidget* StartPage::make_chart() {
   QLabel* note = make_label(what.arg(device_name(last->device_class)), TextRole::caption, Weight::regular, "text2");
   note->setWordWrap(true);
   card->body()->addWidget(note);
-  std::reverse(attempts.begin(), attempts.end());
-  connect(chart, &Chart::point_opened, this, [this, attempts](int, int point) {
-    Q_EMIT report_wanted(attempts[static_cast<std::size_t>(point)].session);
+  connect(chart, &Chart::point_opened, this, [this, sessions = sessions_drawn(attempts)](int, int point) {
+    Q_EMIT report_wanted(sessions[static_cast<std::size_t>(point)]);
   });
   return card;
 }

@@ -55,6 +55,28 @@ TEST_F(OwnResults, are_filtered_by_exercise_and_open_a_report) {
   EXPECT_EQ(page.table()->model()->rowCount(), 1);
 }
 
+TEST_F(OwnResults, open_a_report_from_each_point_of_their_charts) {
+  const Account lena = records.student("1", "Lena Brandt");
+  const SessionId older = records.attempt(lena, "channel-1", 60, 300);
+  records.broken_attempt(lena, "channel-1");  // no point stands for it
+  const SessionId newer = records.attempt(lena, "channel-1", 70, 200);
+  OwnHistory page(records.store(), lena.actor());
+  page.show();
+  std::optional<SessionId> wanted;
+  QObject::connect(&page, &OwnHistory::report_wanted, [&](const SessionId& id) { wanted = id; });
+  int drawn = 0;
+  for (Chart* chart : page.findChildren<Chart*>()) {
+    if (!chart->isVisible()) continue;
+    ++drawn;
+    ASSERT_EQ(chart->data().series[0].points.size(), 2);
+    Q_EMIT chart->point_opened(0, 0);
+    EXPECT_EQ(wanted, older);
+    Q_EMIT chart->point_opened(0, 1);
+    EXPECT_EQ(wanted, newer);
+  }
+  EXPECT_EQ(drawn, 2);
+}
+
 TEST_F(OwnResults, without_a_result_draw_no_empty_charts_and_say_why) {
   const Account lena = records.student("1", "Lena Brandt");
   records.broken_attempt(lena, "channel-1");
