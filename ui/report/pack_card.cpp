@@ -65,7 +65,7 @@ QString PackCard::findings() const {
 void PackCard::prove() {
   if (proving_) return;
   proving_ = true;
-  prove_->setEnabled(false);
+  prove_->setEnabled(prove_ == window()->focusWidget());  // a disabled one hands the focus on
   busy_->start(tr("Computing the attempt anew"), Busy::Cancel::none);
   task_ = BackgroundTask([card = QPointer<PackCard>(this), pack = pack_] {
     auto proof = std::make_shared<Result<ReplayProof, Message>>(prove_pack(*pack));

@@ -3,12 +3,14 @@
 
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTest>
 
 #include "tests/modules.h"
 #include "tests/ui/report/sample_report.h"
 #include "ui/report/pack_card.h"
 #include "ui/report/report_page.h"
 #include "ui/text/incident_text.h"
+#include "ui/widgets/parts.h"
 
 namespace cusp::test {
 namespace {
@@ -54,6 +56,23 @@ TEST(PackOnThePage, OneFindingAloneMakesItNotWhole) {
     if (which == 2) pack->findings = {{.code = FindingCode::row_missing, .table = "trace_chunks", .row = 3}};
     EXPECT_FALSE(pack->whole()) << which;
   }
+}
+
+TEST(PackOnThePage, KeepsTheKeyboardOnTheButtonThatComputesItAnew) {
+  const auto pack = untouched(PackSigner::this_station);
+  pack->records = "no such folder/records.db";  // the proof fails at once
+  PackCard card(pack);
+  card.show();
+  QPushButton* prove = nullptr;
+  for (QPushButton* button : card.findChildren<QPushButton*>())
+    if (button->text().trimmed() == QStringLiteral("Compute the attempt anew")) prove = button;
+  ASSERT_NE(prove, nullptr);
+  prove->setFocus();
+  prove->click();
+  EXPECT_EQ(card.focusWidget(), prove);
+  Band* proved = card.findChildren<Band*>().at(1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return proved->isVisible(); }, 60'000));
+  EXPECT_EQ(card.focusWidget(), prove);
 }
 
 TEST(PackOnThePage, IsOfferedToWhoMayExport) {
