@@ -35,6 +35,14 @@ std::pair<int, std::vector<Uuid>> changes_in(const EffectiveGrade& grade) {
   return out;
 }
 
+/// What is chosen stays so while the list has it: a reason that is written concerns it.
+void refill(QComboBox& list, const std::function<void(QComboBox& list)>& fill) {
+  const QVariant chosen = list.currentData();
+  list.clear();
+  fill(list);
+  if (chosen.isValid()) list.setCurrentIndex(std::max(0, list.findData(chosen)));
+}
+
 QString short_text(const Remark& remark) {
   QString text = remark.what.isEmpty() ? remark.text : remark.what;
   text.replace(u'\n', u' ');
@@ -152,6 +160,9 @@ QWidget* MarkingCard::make_taking_back() {
 }
 
 void MarkingCard::set_criterion(const CriterionGrade* criterion) {
+  // Each statement has the report read anew: points that are typed and not stated yet stay.
+  const bool typed = points_ != nullptr && criterion != nullptr && criterion->id == criterion_ &&
+                     format_points(points_->value()) != format_points(shown_.points);
   criterion_ = criterion ? criterion->id : std::string();
   place_mm_ = criterion ? criterion->measure.where_mm : std::nullopt;
   points_now_ = criterion ? criterion->points : 0;
@@ -170,14 +181,15 @@ void MarkingCard::set_criterion(const CriterionGrade* criterion) {
   points_label_->setText(points_most_ > 0 ? tr("%1, of %2").arg(name, format_points(shown_.points_max)) : tr("%1: no points to change").arg(name));
   points_->setRange(0, shown_.points_max);
   points_->setAccessibleName(tr("Points of %1").arg(name));
-  points_->show_value(shown_.points);
+  if (!typed) points_->show_value(shown_.points);
 }
 
 void MarkingCard::show_data(const ReportData& report) {
-  remarks_->clear();
-  for (const Remark& remark : report.remarks) {
-    if (!remark.id.is_nil()) remarks_->addItem(short_text(remark), QString::fromStdString(remark.id.text()));
-  }
+  refill(*remarks_, [&report](QComboBox& list) {
+    for (const Remark& remark : report.remarks) {
+      if (!remark.id.is_nil()) list.addItem(short_text(remark), QString::fromStdString(remark.id.text()));
+    }
+  });
   remarks_row_->setVisible(remarks_->count() > 0);
   const bool assessed = report.kind == SessionKind::assessment;
   set_aside(!assessed ? QString() : report.released ? tr("released") : tr("withheld from the student"));
@@ -188,8 +200,9 @@ void MarkingCard::show_data(const ReportData& report) {
   in_table_.clear();
   const std::vector<ScaledPoints> scaled = scaled_points(report.result.grade);
   for (std::size_t i = 0; i < scaled.size(); ++i) in_table_[report.result.grade.criteria[i].id] = scaled[i];
-  events_->clear();
-  for (const std::string& event : report.counts->grade.critical) events_->addItem(critical_name(event), QString::fromStdString(event));
+  refill(*events_, [&report](QComboBox& list) {
+    for (const std::string& event : report.counts->grade.critical) list.addItem(critical_name(event), QString::fromStdString(event));
+  });
   events_row_->setVisible(events_->count() > 0);
   confirm_->setVisible(assessed || !report.counts->grade.passed);
   confirm_->setEnabled(!report.counts->confirmation);
