@@ -22,6 +22,7 @@ enum class StorageError : std::uint8_t {
   out_of_memory,   // also for a password's hash (where = "memory")
   io,              // the disk failed, or the system gives another reason (detail)
   busy,            // another process held the file for longer than the time-out
+  stopped,         // the watch of the work ended it (storage/base/watch.h)
   corrupt,         // the file's structure is damaged; detail "sessions": a backup holds another number than its description
   bad_statement,   // SQLite rejects the SQL: a table or column is missing
   // Accounts and rights

@@ -108,6 +108,8 @@ class Database {
   /// Rows that the last statement changed.
   std::int64_t changes() const noexcept;
   bool in_transaction() const noexcept;
+  /// For StatementWatch. nullptr: nothing is asked. `goes_on` stays where it is until the next call.
+  void ask_between_steps(std::function<bool()>* goes_on) noexcept;
   /// Empty if SQLite finds the file sound, else its findings, one per line.
   Stored<std::string> integrity_check();
 
@@ -145,6 +147,21 @@ class Snapshot {
  private:
   Database& database_;
   bool open_ = false;
+};
+
+/// While it lives, a statement of the database that takes long asks `goes_on` again and again; false ends it with `stopped`. One that
+/// writes within a Transaction then rolls that back. An empty `goes_on` is never asked. One at a time on a database, which outlives it.
+/// `goes_on` throws nothing and runs no statement there.
+class StatementWatch {
+ public:
+  StatementWatch(Database& database, std::function<bool()> goes_on);
+  ~StatementWatch();
+  StatementWatch(const StatementWatch&) = delete;
+  StatementWatch& operator=(const StatementWatch&) = delete;
+
+ private:
+  Database& database_;
+  std::function<bool()> goes_on_;
 };
 
 /// BEGIN IMMEDIATE to COMMIT. After the first failure it skips further statements; commit() then rolls back and returns

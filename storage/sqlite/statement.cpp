@@ -175,6 +175,9 @@ StorageFailure failure_of(sqlite3* database, int status, std::string where) {
     case SQLITE_PROTOCOL:  // other connections kept changing the log's index
       code = StorageError::busy;
       break;
+    case SQLITE_INTERRUPT:  // StatementWatch
+      code = StorageError::stopped;
+      break;
     case SQLITE_FULL:
       code = StorageError::disk_full;
       break;

@@ -267,6 +267,7 @@ Message describe(const StorageFailure& f) {
     case StorageError::wrong_state: return describe_wrong_state(f);
     case StorageError::other_device: return describe_other_device(f);
     case StorageError::self_test_due: return describe_self_test_due(f);
+    case StorageError::stopped: return {Text::tr("Stopped."), nothing_changed()};
     case StorageError::clock_ahead: return {Text::tr("The clock may be wrong."), clock_text(f) + u' ' + nothing_changed()};
     case StorageError::bad_trace:
       return {Text::tr("The recording cannot be read."),
