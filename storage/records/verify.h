@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "storage/base/watch.h"
 #include "storage/records/context.h"
 
 namespace cusp::storage {
@@ -56,16 +57,18 @@ Stored<Verification> verify_audit_log(StorageContext& context);
 
 struct StoreVerification {
   std::vector<ChainFinding> findings;  // the log's own first
-  std::uint64_t sessions = 0, entries = 0;
+  std::uint64_t sessions = 0, entries = 0;  // verified
+  bool stopped = false;                     // the watch ended it: what was not verified has no findings
   std::optional<std::int64_t> sealed_since_utc_us;  // none: never opened for writing since seals exist
   std::uint64_t sealed_later = 0;  // rows from before, sealed as they stood at that moment
   std::uint64_t uncounted = 0;     // entries that the rollback counter has not seen yet
-  bool intact() const noexcept { return findings.empty(); }
+  bool intact() const noexcept { return findings.empty() && !stopped; }
 };
 
 /// Verifies the log, its counter, every session, and all that the log seals: accounts, cohorts, assignments, comments,
 /// statements, versions, blobs, keys, and every summary against its records. tests/storage/harmless.cpp lists what it cannot find.
-Stored<StoreVerification> verify_store(StorageContext& context);
+/// `watch`: before each session and after the last; 0 of 0 while the log is read, all of all before each other table.
+Stored<StoreVerification> verify_store(StorageContext& context, const WorkWatch& watch = {});
 
 /// Every session that any table names.
 Stored<std::vector<SessionId>> sessions_to_verify(StorageContext& context);

@@ -16,30 +16,45 @@ namespace {
 
 class StoreVerifier {
  public:
-  explicit StoreVerifier(StorageContext& context) : context_{context}, db_{context.db} {}
+  StoreVerifier(StorageContext& context, const WorkWatch& watch) : context_{context}, db_{context.db}, steps_{watch} {}
 
   Stored<StoreVerification> verify() {
     const Snapshot snapshot(db_);
     const auto counter = check_counter(context_);  // before the snapshot: the log then holds what the counter saw
     if (auto done = read_log(); !done) return std::unexpected(done.error());
+    if (steps_.stopped()) return verified();
     check_schema();
     check_single_row("audit_head");
     report_counter(counter);
     check_station();
     check_keys();
     if (auto done = check_sessions(); !done) return std::unexpected(done.error());
-    check_summaries();
-    check_packed();
-    check_accounts();
-    check_comments();
-    if (auto done = add_statement_findings(); !done) return std::unexpected(done.error());
-    check_members();
-    for (const SealedTable table : kSealedTables) check_rows(table);
-    check_blobs();
-    return std::move(out_);
+    for (const auto check : {&StoreVerifier::check_summaries, &StoreVerifier::check_packed, &StoreVerifier::check_accounts,
+                             &StoreVerifier::check_comments}) {
+      if (steps_.go_on()) (this->*check)();
+    }
+    if (steps_.go_on()) {
+      if (auto done = add_statement_findings(); !done) return std::unexpected(done.error());
+    }
+    if (steps_.go_on()) check_members();
+    for (const SealedTable table : kSealedTables) {
+      if (steps_.go_on()) check_rows(table);
+    }
+    if (steps_.go_on()) check_blobs();
+    return verified();
   }
 
  private:
+  StoreVerification verified() {
+    out_.stopped = steps_.stopped();
+    return std::move(out_);
+  }
+  /// One statement may take seconds: the watch ends it, too.
+  template <class Read>
+  auto watched(Read read) {
+    const StatementWatch watch(db_, [this] { return steps_.go_on(); });
+    return read();
+  }
   void find(FindingCode code, std::string_view table, const Uuid& owner = {}, std::string what = {},
             std::int64_t at_utc_us = 0) {
     out_.findings.push_back({code, std::string(table), -1, -1, owner, std::move(what), at_utc_us});
@@ -58,7 +73,9 @@ class StoreVerifier {
                                  [](Row row) { return row.uuid(0); });
     if (!named) return std::unexpected(named.error());
     station_ = named->value_or(context_.station);
-    auto followed = follow_audit_log(context_, station_, [this](const AuditEntry& e) { log_.add(e); });
+    auto followed = watched([this] { return follow_audit_log(context_, station_, [this](const AuditEntry& e) { log_.add(e); }); });
+    // Part of a log proves nothing.
+    if (steps_.stopped()) return {};
     if (!followed) return std::unexpected(followed.error());
     out_.findings = std::move(followed->findings);
     out_.entries = followed->links;
@@ -139,11 +156,13 @@ class StoreVerifier {
   }
 
   Stored<void> check_sessions() {
-    const auto ids = sessions_to_verify(context_);
+    const auto ids = watched([this] { return sessions_to_verify(context_); });
+    if (steps_.stopped()) return {};
     if (!ids) return std::unexpected(ids.error());
-    out_.sessions = ids->size();
+    steps_.begin(ids->size());
     std::set<Uuid> there;
     for (const SessionId id : *ids) {
+      if (!steps_.go_on()) return {};
       there.insert(id.uuid);
       const auto proof = verify_session(context_, id);
       if (!proof) return std::unexpected(proof.error());
@@ -152,6 +171,8 @@ class StoreVerifier {
         out_.findings.push_back(std::move(finding));
       }
       check_seals(id, *proof);
+      steps_.add_done();
+      out_.sessions = steps_.done();
     }
     for (const auto& [id, seals] : log_.sessions) {
       if (there.contains(id)) continue;
@@ -337,11 +358,12 @@ class StoreVerifier {
   Uuid station_;
   SealIndex log_;
   std::set<Uuid> gone_;  // sessions that the log has and no table has
+  WorkSteps steps_;
   StoreVerification out_;
 };
 
 }  // namespace
 
-Stored<StoreVerification> verify_store(StorageContext& context) { return StoreVerifier(context).verify(); }
+Stored<StoreVerification> verify_store(StorageContext& context, const WorkWatch& watch) { return StoreVerifier(context, watch).verify(); }
 
 }  // namespace cusp::storage
