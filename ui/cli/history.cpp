@@ -7,6 +7,7 @@
 #include "storage/records/session_summary.h"
 #include "storage/records/verify.h"
 #include "ui/cli/account.h"
+#include "ui/cli/interrupt.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/report_files.h"
 #include "ui/cli/row_json.h"
@@ -161,8 +162,9 @@ nlohmann::ordered_json finding_json(const FindingOwner& owner, const ChainFindin
   return json;
 }
 
-/// Since when the log holds seals, and how far the counter is behind it.
+/// Since when the log holds seals, and how far the counter is behind it. Stopped, it may not have read the log.
 void print_since(const StoreVerification& v) {
+  if (v.stopped) return print_line(plain(CliText::tr("The verification was stopped.")));
   if (!v.sealed_since_utc_us) {
     print_line(plain(CliText::tr("Nothing is sealed yet: that begins when the database is next opened for writing.")));
   } else if (v.sealed_later > 0) {
@@ -175,16 +177,31 @@ void print_since(const StoreVerification& v) {
   }
 }
 
+/// What SQLite finds wrong with the file, or that nobody waited for it.
+std::optional<StorageFailure> damage_of(Store& store, const std::string& db) {
+  const StatementWatch watch(store.database(), [] { return !interrupted(); });
+  const auto sound = store.database().integrity_check();
+  if (interrupted()) return StorageFailure{StorageError::stopped, db};
+  if (!sound) return sound.error();
+  if (!sound->empty()) return StorageFailure{StorageError::corrupt, db, *sound};
+  return std::nullopt;
+}
+
+/// Pre: nothing was found.
+Message whole_until_stopped(const StoreVerification& v) {
+  return {CliText::tr("The verification was stopped."),
+          CliText::tr("Attempts verified and whole: %1. The others were not verified.").arg(static_cast<qulonglong>(v.sessions))};
+}
+
 int verify(const HistoryOptions& o) {
   if (const auto no = refuse_outputs({o.json.file}, o.db)) return failed(*no);
   auto store = open_records(o.db);
   if (!store) return failed(store.error());
   auto account = sign_in(**store, o.account, WithoutAccounts::refuse);
   if (!account) return failed(account.error());
-  auto sound = (*store)->database().integrity_check();
-  if (!sound) return failed(describe(sound.error()));
-  if (!sound->empty()) return failed(describe(StorageFailure{StorageError::corrupt, o.db, *sound}));
-  const auto verified = verify_store((*store)->context());
+  catch_interrupt();
+  if (const auto damage = damage_of(**store, o.db)) return failed(describe(*damage));
+  const auto verified = verify_store((*store)->context(), [](std::size_t, std::size_t) { return !interrupted(); });
   if (!verified) return failed(describe(verified.error()));
 
   nlohmann::ordered_json json;
@@ -204,10 +221,12 @@ int verify(const HistoryOptions& o) {
     if (!o.json.on_stdout()) print_line(plain(line));
     if (!first) first = line;
   }
+  json["stopped"] = verified->stopped;
   json["intact"] = verified->intact();
   if (!o.json.write(json)) return kFailed;
   if (!o.json.on_stdout()) print_since(*verified);
   if (first) return failed(*first);
+  if (verified->stopped) return failed(whole_until_stopped(*verified));
   if (!o.json.on_stdout()) {
     print_line(plain(CliText::tr("%n session(s) and the audit log are whole.", nullptr, static_cast<int>(verified->sessions))));
   }
