@@ -56,21 +56,48 @@ bool concerns_disk(StorageError code) noexcept {
          code == StorageError::io || code == StorageError::not_found;
 }
 
-/// The whole of the connection's database as of one moment, in a file that only its owner can read.
-Stored<void> copy_database(Database& from, const fs::path& to) {
+/// The whole of the connection's database as of one moment, in a file that only its owner can read. If `goes_on` answers false, part of it.
+Stored<void> copy_database(Database& from, const fs::path& to, std::function<bool()> goes_on = {}) {
   static_cast<void>(make_private_file(to));  // if none can be made, SQLite reports why
   // An absolute path: SQLite would take a name that begins with "file:" for a URI.
   std::error_code ignored;
+  const StatementWatch watch(from, std::move(goes_on));
   auto done = from.run("VACUUM INTO ?1", fs::absolute(to, ignored).string());
   // SQLite names the source, which is only read.
   if (!done && concerns_disk(done.error().code)) done.error().where = to.string();
   return done;
 }
 
+struct Pages {
+  std::size_t used = 0, bytes = 1;  // `bytes` of one
+};
+Pages pages_of(Database& db) {
+  const auto pages = db.first(
+      "SELECT page_count - freelist_count, page_size FROM pragma_page_count(), pragma_freelist_count(), pragma_page_size()",
+      [](Row row) { return Pages{row.u64(0), row.u64(1)}; });
+  return pages ? pages->value_or(Pages{}) : Pages{};
+}
+
+/// Reports pages: SQLite does not count what it has copied, but the file grows.
+Stored<void> copy_by_pages(Database& from, const fs::path& to, WorkSteps& steps) {
+  const Pages pages = pages_of(from);
+  steps.begin(pages.used);
+  if (!steps.go_on()) return fail(StorageError::stopped, to.string());
+  auto done = copy_database(from, to, [&] {
+    std::error_code error;
+    const auto bytes = fs::file_size(to, error);
+    if (!error) steps.set_done(bytes / pages.bytes);
+    return steps.go_on();
+  });
+  if (done) steps.end();
+  return done;
+}
+
 /// Opening for writing syncs the file, for it changes its first page. Returns how many sessions it holds.
-Stored<std::uint64_t> check_copy(const fs::path& file, const DatabaseOptions& options) {
+Stored<std::uint64_t> check_copy(const fs::path& file, const DatabaseOptions& options, std::function<bool()> goes_on = {}) {
   auto copy = Database::open(file, options);
   if (!copy) return std::unexpected(copy.error());
+  const StatementWatch watch(*copy, std::move(goes_on));
   const auto damage = copy->integrity_check();
   if (!damage) return std::unexpected(damage.error());
   if (!damage->empty()) return fail(StorageError::corrupt, file.string(), *damage);
@@ -80,13 +107,15 @@ Stored<std::uint64_t> check_copy(const fs::path& file, const DatabaseOptions& op
 }
 
 /// The counter first: it may lag behind the log and never leads.
-Stored<Backup> fill(StorageContext& context, const fs::path& folder, std::int64_t now) {
+Stored<Backup> fill(StorageContext& context, const fs::path& folder, std::int64_t now, WorkSteps& steps) {
   if (auto done = copy_private(context.counter_file, counter_file_of(folder / kBackupKey)); !done) return std::unexpected(done.error());
   if (auto done = copy_private(context.key_file, folder / kBackupKey); !done) return std::unexpected(done.error());
-  if (auto done = copy_database(context.db, folder / kBackupDatabase); !done) return std::unexpected(done.error());
+  if (auto done = copy_by_pages(context.db, folder / kBackupDatabase, steps); !done) return std::unexpected(done.error());
   const auto sessions = check_copy(folder / kBackupDatabase,
-                                   {.access = DatabaseOptions::Access::existing, .on_network_drive = admits_network_drive});
+                                   {.access = DatabaseOptions::Access::existing, .on_network_drive = admits_network_drive},
+                                   [&steps] { return steps.go_on(); });
   if (!sessions) return std::unexpected(sessions.error());
+  if (!steps.go_on()) return fail(StorageError::stopped, folder.string());
   std::error_code error;
   const auto bytes = fs::file_size(folder / kBackupDatabase, error);
   if (error) return std::unexpected(failure_from(error, folder));
@@ -134,7 +163,7 @@ Stored<void> copy_back(const Backup& backup, const fs::path& file) {
 
 }  // namespace
 
-Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& actor, const fs::path& into) {
+Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& actor, const fs::path& into, const WorkWatch& watch) {
   if (actor) {
     if (auto allowed = require(*actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
   }
@@ -150,9 +179,11 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
     take_back_all();
     return std::unexpected(folder.error());
   }
-  auto backup = fill(context, *folder, now);
+  WorkSteps steps(watch);
+  auto backup = fill(context, *folder, now, steps);
   if (!backup) {
     take_back_all();
+    if (steps.stopped()) return fail(StorageError::stopped, into.string());
     return backup;
   }
   if (context.db.read_only()) return backup;

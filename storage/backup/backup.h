@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "storage/base/rights.h"
+#include "storage/base/watch.h"
 #include "storage/records/context.h"
 
 namespace cusp::storage {
@@ -28,8 +29,10 @@ struct Backup {
 /// A new folder in `into`, which is made at need. Needs manage_station, at the end as the records have it then; without an actor the
 /// program makes its daily one.
 /// The copy is opened, checked for damage and synced. After a failure no part of it is left, nor `into` if it was made for it.
-/// Removes what restore_backup() of the database left when it was cut off more than a day ago.
-Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& actor, const std::filesystem::path& into);
+/// Removes what restore_backup() of the database left when it was cut off more than a day ago. `watch`: pages of the copy, then all of all
+/// while it is checked. stopped, as any failure, leaves no entry in the log.
+Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& actor, const std::filesystem::path& into,
+                           const WorkWatch& watch = {});
 
 /// Of this station, or of every one without a station, newest first: several may share a folder. Empty if the folder does not exist.
 Stored<std::vector<Backup>> backups_in(const std::filesystem::path& into, const std::optional<Uuid>& station);
