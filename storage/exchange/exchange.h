@@ -1,4 +1,5 @@
-/// Files from station to station: README.md beside this says what each carries and how it is read. Thread: the context's own.
+/// Files from station to station: README.md beside this lists what each carries and how it is read. A `watch` gets sessions of a results
+/// file and accounts of an office file, 0 of 0 before they are counted; stopped, a call has changed nothing. Thread: the context's own.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "storage/base/rights.h"
+#include "storage/base/watch.h"
 #include "storage/exchange/exchange_file.h"
 #include "storage/exchange/trust.h"
 #include "storage/records/context.h"
@@ -23,7 +25,9 @@ struct GivenOut {
 /// Writes a new file, and the entry "exchange_given_out". Needs manage_station. duplicate if the file exists; a failure
 /// leaves no file. read_only without the station's key. A file in the same folder whose program was killed between entry and name gets its
 /// name first; duplicate, detail "finished" (where = its name): it is this one, and holds what the records held then.
-Stored<GivenOut> give_out(StorageContext& context, const Actor& actor, ExchangeKind kind, const std::filesystem::path& file);
+/// Once the entry is being written, nothing stops it.
+Stored<GivenOut> give_out(StorageContext& context, const Actor& actor, ExchangeKind kind, const std::filesystem::path& file,
+                          const WorkWatch& watch = {});
 
 enum class ReadOutcome : std::uint8_t {
   read,
@@ -44,8 +48,8 @@ struct ReadIn {
 
 /// Reads a file whole, or changes nothing. Needs manage_station. Failures: not_exchange, older_schema, newer_schema,
 /// unknown_key, revoked_key, put_back, differs; not_allowed (where = own_file, office_file: what only the office's file may bring);
-/// duplicate (where = number that somebody else has here); last_administrator.
-Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::filesystem::path& file);
+/// duplicate (where = number that somebody else has here); last_administrator; stopped.
+Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::filesystem::path& file, const WorkWatch& watch = {});
 
 /// What a file is, before it is read.
 struct ExchangeLook {
@@ -57,8 +61,8 @@ struct ExchangeLook {
 };
 
 /// Changes nothing. Needs manage_station. Failures: not_exchange, older_schema, newer_schema, differs, and not_allowed
-/// (where = own_file, office_file).
-Stored<ExchangeLook> look_into(StorageContext& context, const Actor& actor, const std::filesystem::path& file);
+/// (where = own_file, office_file), stopped.
+Stored<ExchangeLook> look_into(StorageContext& context, const Actor& actor, const std::filesystem::path& file, const WorkWatch& watch = {});
 
 /// A file that was read in: whose, its number, and when.
 struct FileReadIn {

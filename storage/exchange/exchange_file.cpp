@@ -61,15 +61,20 @@ std::optional<ExchangeDescription> exchange_from(std::string_view text) {
   return ExchangeDescription{*station, static_cast<ExchangeKind>(kind - kExchangeKinds.begin()), UserId{*maker}, *made, *log, std::move(*earlier), std::move(*tables)};
 }
 
-Stored<Hash256> content_of(Database& file, const std::string& schema, const std::string& table) {
+Stored<Hash256> content_of(Database& file, const std::string& schema, const std::string& table, WorkSteps& steps) {
   const auto keys = file.all("SELECT name FROM pragma_table_info(?1, ?2) WHERE pk > 0 ORDER BY pk", [](Row row) { return row.text(0); }, table, schema);
   if (!keys) return std::unexpected(keys.error());
   std::string order;
   for (const std::string& key : *keys) order += (order.empty() ? " ORDER BY " : ", ") + key;
   Blake2b hash;
   hash.add_text(table);
+  std::optional<Uuid> session;
   const auto rows = file.all("SELECT * FROM " + schema + ".\"" + table + '"' + order, [&](Row row) {
     hash.add_hash(row.content_hash());
+    if (table == "trace_chunks" && session != row.uuid(0)) {
+      session = row.uuid(0);
+      steps.add_done();
+    }
     return true;
   });
   if (!rows) return std::unexpected(rows.error());
@@ -164,7 +169,7 @@ Stored<void> check_attached_schema(Database& records, const std::filesystem::pat
 }
 
 /// Of the database that is open as `schema`.
-Stored<std::vector<PackFile>> table_hashes_in(Database& db, const std::string& schema, const std::filesystem::path& file) {
+Stored<std::vector<PackFile>> table_hashes_in(Database& db, const std::string& schema, const std::filesystem::path& file, WorkSteps& steps) {
   const auto found = db.all("SELECT type, name FROM " + schema + ".sqlite_schema WHERE type <> 'index' ORDER BY name",
                             [](Row row) { return std::pair{row.text(0), row.text(1)}; });
   if (!found) return std::unexpected(found.error());
@@ -172,8 +177,9 @@ Stored<std::vector<PackFile>> table_hashes_in(Database& db, const std::string& s
   for (const auto& [type, name] : *found) {
     if (type != "table") return fail(StorageError::not_exchange, file.string());
     if (name == "exchange_description" || name.starts_with("sqlite_")) continue;
-    const auto content = content_of(db, schema, name);
+    const auto content = content_of(db, schema, name, steps);
     if (!content) return std::unexpected(content.error());
+    if (!steps.go_on()) return fail(StorageError::stopped, file.string());
     out.push_back({name, *content});
   }
   return out;
@@ -188,20 +194,22 @@ Stored<void> check_schema(Database& records, const std::filesystem::path& file) 
   return same;
 }
 
-Stored<void> check_attached(Database& records, const std::filesystem::path& file, const ExchangeDescription& description) {
+Stored<void> check_attached(Database& records, const std::filesystem::path& file, const ExchangeDescription& description, WorkSteps& steps) {
   if (auto same = check_attached_schema(records, file); !same) return same;
-  const auto tables = table_hashes_in(records, "source", file);
+  const StatementWatch watch(records, [&steps] { return steps.go_on(); });
+  const auto tables = table_hashes_in(records, "source", file, steps);
   if (!tables) return std::unexpected(tables.error());
   if (!same_tables(*tables, description.tables)) return fail(StorageError::not_exchange, file.string());
   return {};
 }
 
-Stored<std::vector<PackFile>> table_hashes(Database& file) { return table_hashes_in(file, "main", file.file()); }
+Stored<std::vector<PackFile>> table_hashes(Database& file, WorkSteps& steps) { return table_hashes_in(file, "main", file.file(), steps); }
 
-Stored<void> check_content(Database& file, const ExchangeDescription& description) {
+Stored<void> check_content(Database& file, const ExchangeDescription& description, WorkSteps& steps) {
+  const StatementWatch watch(file, [&steps] { return steps.go_on(); });
   const auto damage = file.integrity_check();
   if (!damage) return std::unexpected(damage.error());
-  const auto tables = table_hashes(file);
+  const auto tables = table_hashes(file, steps);
   if (!tables) return std::unexpected(tables.error());
   if (!damage->empty() || !same_tables(*tables, description.tables)) return std::unexpected(no_exchange(file));
   if (auto good = check_kind(file, description.kind); !good) return good;

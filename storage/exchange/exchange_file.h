@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "storage/base/watch.h"
 #include "storage/exchange/signed_text.h"
 #include "storage/sqlite/database.h"
 
@@ -59,12 +60,13 @@ StorageFailure failure_in_file(StorageFailure failure, const std::filesystem::pa
 /// The file is attached to `records` for a moment: a connection of its own would migrate it in memory.
 Stored<void> check_schema(Database& records, const std::filesystem::path& file);
 /// Schema and every table against the signed list once more, in the transaction that reads them: the file may have been changed or
-/// replaced since. Pre: it is attached to `records`. Failures: older_schema, not_exchange.
-Stored<void> check_attached(Database& records, const std::filesystem::path& file, const ExchangeDescription& description);
-/// Name and content of each table but the description's, by name. not_exchange for a file with views or triggers.
-Stored<std::vector<PackFile>> table_hashes(Database& file);
-/// Structure, every table against the signed list, every blob, every statement. Failures: not_exchange, differs; not_allowed (where =
-/// office_file) for a results file that brings more than it refers to.
-Stored<void> check_content(Database& file, const ExchangeDescription& description);
+/// replaced since. Pre: it is attached to `records`. Failures: older_schema, not_exchange, stopped.
+Stored<void> check_attached(Database& records, const std::filesystem::path& file, const ExchangeDescription& description, WorkSteps& steps);
+/// Name and content of each table but the description's, by name. A step for each session whose recording is read: recordings are most of
+/// a file. not_exchange for a file with views or triggers; stopped between two tables.
+Stored<std::vector<PackFile>> table_hashes(Database& file, WorkSteps& steps);
+/// Structure, every table against the signed list, every blob, every statement. Failures: not_exchange, differs, stopped; not_allowed
+/// (where = office_file) for a results file that brings more than it refers to.
+Stored<void> check_content(Database& file, const ExchangeDescription& description, WorkSteps& steps);
 
 }  // namespace cusp::storage

@@ -58,18 +58,27 @@ void mark_referred(Transaction& transaction, ExchangeKind kind) {
 }
 
 /// A session is copied in a transaction of its own: each holds the station's records for a moment.
-Stored<void> fill_exchange(StorageContext& context, Database& to, ExchangeKind kind) {
+Stored<void> copy_sessions(StorageContext& context, Database& to, WorkSteps& steps) {
+  const auto sessions = ended_sessions(context);
+  if (!sessions) return std::unexpected(sessions.error());
+  steps.begin(sessions->size());
+  for (const SessionId session : *sessions) {
+    if (!steps.go_on()) return fail(StorageError::stopped, to.file().string());
+    Transaction transaction(to);
+    // One that runs again goes out with the next file.
+    static_cast<void>(copy_session(transaction, session));
+    if (auto done = transaction.commit(); !done) return done;
+    steps.add_done();
+  }
+  return {};
+}
+
+Stored<void> fill_exchange(StorageContext& context, Database& to, ExchangeKind kind, WorkSteps& steps) {
   // A statement goes out without the session that it speaks of.
   if (auto done = to.run("PRAGMA foreign_keys = OFF"); !done) return done;
+  const StatementWatch watch(to, [&steps] { return steps.go_on(); });
   if (kind == ExchangeKind::results) {
-    const auto sessions = ended_sessions(context);
-    if (!sessions) return std::unexpected(sessions.error());
-    for (const SessionId session : *sessions) {
-      Transaction transaction(to);
-      // One that runs again goes out with the next file.
-      static_cast<void>(copy_session(transaction, session));
-      if (auto done = transaction.commit(); !done) return done;
-    }
+    if (auto done = copy_sessions(context, to, steps); !done) return done;
   }
   Transaction transaction(to);
   transaction.run("INSERT INTO station SELECT * FROM source.station");
@@ -98,6 +107,20 @@ std::vector<Hash256> earlier_files(StorageContext& context, Transaction& transac
   return out;
 }
 
+/// Counts and hashes what the file carries: the last that can be stopped.
+Stored<void> sum_up(Database& to, GivenOut& out, WorkSteps& steps) {
+  const auto counts = counts_of(to);
+  if (!counts) return std::unexpected(counts.error());
+  out.counts = *counts;
+  if (out.description.kind == ExchangeKind::office) steps.begin(counts->accounts);
+  steps.end();
+  const StatementWatch watch(to, [&steps] { return steps.go_on(); });
+  auto tables = table_hashes(to, steps);
+  if (!tables) return std::unexpected(tables.error());
+  out.description.tables = std::move(*tables);
+  return {};
+}
+
 /// Number, description and entry in the log, in one transaction: no two files have one number. The file has its description before the
 /// entry is written: none is of a file that the disk had no room for.
 Stored<void> sign_given_out(StorageContext& context, const Actor& actor, Database& to, ExchangeDescription& description) {
@@ -115,23 +138,20 @@ Stored<void> sign_given_out(StorageContext& context, const Actor& actor, Databas
 
 }  // namespace
 
-Stored<GivenOut> give_out(StorageContext& context, const Actor& actor, ExchangeKind kind, const std::filesystem::path& file) {
+Stored<GivenOut> give_out(StorageContext& context, const Actor& actor, ExchangeKind kind, const std::filesystem::path& file, const WorkWatch& watch) {
   if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
   if (!context.key) return std::unexpected(context.db.unwritable());
   if (name_earlier_files(context, file)) return fail(StorageError::duplicate, file.filename().string(), "finished");
   GivenOut out{.description = {.station = context.station, .kind = kind, .maker = actor.id, .made_utc_us = context.clock()},
                .key = context.key->id()};
-  const auto fill = [&](Database& to) { return fill_exchange(context, to, kind); };
+  WorkSteps steps(watch);
+  const auto fill = [&](Database& to) { return fill_exchange(context, to, kind, steps); };
   const auto sign = [&](Database& to) -> Stored<void> {
-    const auto counts = counts_of(to);
-    if (!counts) return std::unexpected(counts.error());
-    out.counts = *counts;
-    auto tables = table_hashes(to);
-    if (!tables) return std::unexpected(tables.error());
-    out.description.tables = std::move(*tables);
-    return sign_given_out(context, actor, to, out.description);
+    auto summed = sum_up(to, out, steps);
+    return summed ? sign_given_out(context, actor, to, out.description) : summed;
   };
   const auto made = make_copy(file, context.db.file(), fill, sign);
+  if (!made && steps.stopped()) return fail(StorageError::stopped, file.string());
   if (!made) return std::unexpected(made.error());
   return out;
 }

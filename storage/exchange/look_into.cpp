@@ -13,9 +13,13 @@ Stored<std::optional<KeyRole>> role_of(StorageContext& context, const Actor& act
   return known == keys->end() ? std::nullopt : std::optional(known->role);
 }
 
-}  // namespace
+/// What the file claims to carry. One that is malformed carries nothing, and is refused later.
+std::size_t steps_in(Database& file, ExchangeKind kind) {
+  const auto counts = counts_of(file).value_or(ExchangeCounts{});
+  return kind == ExchangeKind::office ? counts.accounts : counts.sessions;
+}
 
-Stored<ExchangeLook> look_into(StorageContext& context, const Actor& actor, const std::filesystem::path& file) {
+Stored<ExchangeLook> look_in_steps(StorageContext& context, const Actor& actor, const std::filesystem::path& file, WorkSteps& steps) {
   if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
   auto opened = Database::open(file, {.access = DatabaseOptions::Access::read_only, .on_network_drive = admits_network_drive});
   if (!opened) return std::unexpected(failure_in_file(opened.error(), file));
@@ -24,7 +28,10 @@ Stored<ExchangeLook> look_into(StorageContext& context, const Actor& actor, cons
   if (!checked) return std::unexpected(failure_in_file(checked.error(), file));
   if (checked->description.station == context.station) return fail(StorageError::not_allowed, "own_file");
   if (auto same = check_schema(context.db, file); !same) return std::unexpected(failure_in_file(same.error(), file));
-  if (auto good = check_content(*opened, checked->description); !good) return std::unexpected(failure_in_file(good.error(), file));
+  steps.begin(steps_in(*opened, checked->description.kind));
+  if (auto good = check_content(*opened, checked->description, steps); !good) return std::unexpected(failure_in_file(good.error(), file));
+  steps.end();
+  if (!steps.go_on()) return fail(StorageError::stopped, file.string());
   const auto counts = counts_of(*opened);
   if (!counts) return std::unexpected(counts.error());
   const Hash256 key = key_id(checked->public_key);
@@ -36,6 +43,15 @@ Stored<ExchangeLook> look_into(StorageContext& context, const Actor& actor, cons
   for (const FileReadIn& one : *read) {
     if (one.key == key) out.newest_read = std::max(out.newest_read, one.number);
   }
+  return out;
+}
+
+}  // namespace
+
+Stored<ExchangeLook> look_into(StorageContext& context, const Actor& actor, const std::filesystem::path& file, const WorkWatch& watch) {
+  WorkSteps steps(watch);
+  auto out = look_in_steps(context, actor, file, steps);
+  if (!out && steps.stopped()) return fail(StorageError::stopped, file.string());
   return out;
 }
 

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "storage/base/watch.h"
 #include "storage/exchange/exchange.h"
 #include "storage/records/seals.h"
 
@@ -16,12 +17,18 @@ struct Merge {
   StorageContext& from;
   const Actor& actor;
   ReadIn& out;
+  WorkSteps& steps;
   std::set<SessionId> changed{};  // sessions whose summaries changed; follow_graded() follows them at the end
   std::set<Uuid> referred{};  // accounts, versions and assignments that the file's records only refer to
 
   Database& db() { return transaction.database(); }
   bool late() const noexcept { return out.outcome == ReadOutcome::late; }
   bool ok() { return transaction.ok(); }
+  /// Before each step. False after a failure; the watch may make one.
+  bool goes_on() {
+    if (ok() && !steps.go_on()) refuse(StorageError::stopped, from.db.file().string());
+    return ok();
+  }
   void refuse(StorageError code, std::string where, std::string detail = {}) {
     transaction.refuse({code, std::move(where), std::move(detail)});
   }

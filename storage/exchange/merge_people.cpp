@@ -162,6 +162,14 @@ PeoplePlan plan_people(Merge& merge) {
   return plan;
 }
 
+void merge_each(Merge& merge, const std::vector<PersonInFile>& people, void (*merge_one)(Merge&, const PersonInFile&)) {
+  for (const PersonInFile& person : people) {
+    if (!merge.goes_on()) return;
+    merge_one(merge, person);
+    merge.steps.add_done();
+  }
+}
+
 /// Accounts of one file may exchange their numbers: each frees its own first.
 void free_own_numbers(Merge& merge, const std::vector<PersonInFile>& people) {
   for (const PersonInFile& person : people) {
@@ -192,10 +200,12 @@ bool is_erased(Transaction& transaction, UserId user) {
 
 void merge_people(Merge& merge) {
   const PeoplePlan plan = plan_people(merge);
+  // Those of a results file are few; its sessions count.
+  if (merge.out.description.kind == ExchangeKind::office) merge.steps.begin(plan.replaced.size() + plan.added.size() + plan.referred.size());
   free_own_numbers(merge, plan.replaced);
-  for (const PersonInFile& person : plan.replaced) replace_person(merge, person);
-  for (const PersonInFile& person : plan.added) add_person(merge, person);
-  for (const PersonInFile& person : plan.referred) add_referred_person(merge, person);
+  merge_each(merge, plan.replaced, replace_person);
+  merge_each(merge, plan.added, add_person);
+  merge_each(merge, plan.referred, add_referred_person);
   const auto left = merge.transaction.first("SELECT count(*) FROM people WHERE role = 'administrator' AND disabled = 0", [](Row row) { return row.integer(0); });
   if (left && *left == 0) merge.refuse(StorageError::last_administrator, "people");
 }

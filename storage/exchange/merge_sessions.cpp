@@ -254,9 +254,11 @@ void merge_sessions(Merge& merge) {
   const auto heads = merge.taken(merge.from.db.all("SELECT session, links, link FROM session_heads ORDER BY session", [](Row row) {
     return HeadInFile{row.id<SessionId>(0), {row.u64(1), row.hash(2)}};
   }));
+  merge.steps.begin(heads.size());
   for (const HeadInFile& head : heads) {
-    if (!merge.ok()) return;
+    if (!merge.goes_on()) return;
     merge_session(merge, head);
+    merge.steps.add_done();
   }
   const auto comments = merge.taken(merge.from.db.all("SELECT c.id, s.student FROM comments c JOIN sessions s ON s.id = c.session",
                                                       [](Row row) { return std::pair{row.uuid(0), row.id<UserId>(1)}; }));
@@ -279,7 +281,7 @@ void merge_statements(Merge& merge) {
       merge.out.description.station));
   std::set<SessionId> stated;
   for (const StatementInFile& statement : statements) {
-    if (!merge.ok()) return;
+    if (!merge.goes_on()) return;
     if (merge_statement(merge, statement)) stated.insert(statement.session);
   }
   // An older program put statements of several stations in another order: their results may differ from what it wrote.

@@ -122,7 +122,7 @@ void merge_all(Merge& merge, const CheckedExchange& file) {
     merge_sessions(merge);
   }
   merge_statements(merge);
-  follow_graded(merge.transaction, merge.changed);
+  if (merge.goes_on()) follow_graded(merge.transaction, merge.changed);
 }
 
 void log_read_in(Merge& merge, const CheckedExchange& file) {
@@ -132,15 +132,15 @@ void log_read_in(Merge& merge, const CheckedExchange& file) {
              .detail = hex(key_id(file.public_key)) + ' ' + std::to_string(file.description.number()) + ' ' + hex(file.hash)});
 }
 
-Stored<ReadIn> merge_file(StorageContext& context, StorageContext& from, const Actor& actor, const CheckedExchange& file) {
+Stored<ReadIn> merge_file(StorageContext& context, StorageContext& from, const Actor& actor, const CheckedExchange& file, WorkSteps& steps) {
   ReadIn out{.description = file.description, .key = key_id(file.public_key)};
   Transaction transaction(context.db);
   require_now(transaction, actor.id, Action::manage_station);
-  Merge merge{context, transaction, from, actor, out};
+  Merge merge{context, transaction, from, actor, out, steps};
   check_trust(transaction, context, file);
   if (merge.ok()) {
     const std::filesystem::path& place = from.db.file();
-    if (auto same = check_attached(merge.db(), place, file.description); !same) transaction.refuse(failure_in_file(same.error(), place));
+    if (auto same = check_attached(merge.db(), place, file.description, steps); !same) transaction.refuse(failure_in_file(same.error(), place));
   }
   place_among_files(merge, file);
   for (const Uuid& id : merge.taken(from.db.all("SELECT id FROM referred", [](Row row) { return row.uuid(0); }))) merge.referred.insert(id);
@@ -166,20 +166,13 @@ class Attached {
   Stored<void> done_;
 };
 
-Stored<ReadIn> attach_and_merge(StorageContext& context, StorageContext& from, const Actor& actor, const CheckedExchange& file) {
+Stored<ReadIn> attach_and_merge(StorageContext& context, StorageContext& from, const Actor& actor, const CheckedExchange& file, WorkSteps& steps) {
   const Attached source(context.db, from.db.file());
   if (!source.done()) return std::unexpected(source.done().error());
-  return merge_file(context, from, actor, file);
+  return merge_file(context, from, actor, file, steps);
 }
 
-}  // namespace
-
-std::string_view key_of(ReadOutcome outcome) noexcept {
-  constexpr std::array<std::string_view, 3> keys = {"read", "again", "late"};
-  return keys[static_cast<std::size_t>(outcome)];
-}
-
-Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::filesystem::path& file) {
+Stored<ReadIn> read_in_steps(StorageContext& context, const Actor& actor, const std::filesystem::path& file, WorkSteps& steps) {
   if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
   if (!context.key) return std::unexpected(context.db.unwritable());
   auto opened = Database::open(file, {.access = DatabaseOptions::Access::read_only, .on_network_drive = admits_network_drive});
@@ -189,8 +182,21 @@ Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::f
   const auto checked = read_description(from.db);
   if (!checked) return std::unexpected(failure_in_file(checked.error(), file));
   if (auto same = check_schema(context.db, file); !same) return std::unexpected(failure_in_file(same.error(), file));
-  if (auto good = check_content(from.db, checked->description); !good) return std::unexpected(failure_in_file(good.error(), file));
-  const auto done = attach_and_merge(context, from, actor, *checked);
+  if (auto good = check_content(from.db, checked->description, steps); !good) return std::unexpected(failure_in_file(good.error(), file));
+  return attach_and_merge(context, from, actor, *checked, steps);
+}
+
+}  // namespace
+
+std::string_view key_of(ReadOutcome outcome) noexcept {
+  constexpr std::array<std::string_view, 3> keys = {"read", "again", "late"};
+  return keys[static_cast<std::size_t>(outcome)];
+}
+
+Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::filesystem::path& file, const WorkWatch& watch) {
+  WorkSteps steps(watch);
+  auto done = read_in_steps(context, actor, file, steps);
+  if (!done && steps.stopped()) return fail(StorageError::stopped, file.string());
   // The log holds the old pages until then. Another connection may hold it open: the next checkpoint takes it.
   if (done) static_cast<void>(context.db.run("PRAGMA wal_checkpoint(TRUNCATE)"));
   return done;
