@@ -10,11 +10,11 @@
 namespace cusp::ui {
 namespace {
 
-Stored<BackedUp> back_up_and_thin(const RecordsBeside& records, const std::filesystem::path& into,
-                                  const std::optional<Actor>& actor) {
+Stored<BackedUp> back_up_and_thin(const RecordsBeside& records, const std::filesystem::path& into, const std::optional<Actor>& actor,
+                                  const WorkWatch& watch) {
   const auto store = open_beside(records);
   if (!store) return std::unexpected(store.error());
-  auto backup = make_backup((*store)->context(), actor, into);
+  auto backup = make_backup((*store)->context(), actor, into, watch);
   if (!backup) return std::unexpected(backup.error());
   BackedUp out{std::move(*backup), std::nullopt};
   if (auto thinned = thin_backups(into, out.backup.station, kBackupsKept, out.backup.made_utc_us); !thinned) out.not_removed = std::move(thinned.error());
@@ -44,16 +44,17 @@ BackgroundTask go_back(std::filesystem::path database, Backup backup, std::funct
 }
 
 BackgroundTask back_up(RecordsBeside records, std::filesystem::path into, std::optional<Actor> actor,
-                       std::function<void(Stored<BackedUp>)> then) {
-  return BackgroundTask([records = std::move(records), into = std::move(into), actor, then = std::move(then)] {
-    then(back_up_and_thin(records, into, actor));
+                       std::function<void(Stored<BackedUp>)> then, std::shared_ptr<WorkProgress> progress) {
+  return BackgroundTask([records = std::move(records), into = std::move(into), actor, then = std::move(then), watch = watch_of(std::move(progress))] {
+    then(back_up_and_thin(records, into, actor, watch));
   });
 }
 
-BackgroundTask verify_records(RecordsBeside records, std::function<void(Stored<StoreVerification>)> then) {
-  return BackgroundTask([records = std::move(records), then = std::move(then)] {
+BackgroundTask verify_records(RecordsBeside records, std::function<void(Stored<StoreVerification>)> then,
+                              std::shared_ptr<WorkProgress> progress) {
+  return BackgroundTask([records = std::move(records), then = std::move(then), watch = watch_of(std::move(progress))] {
     const auto store = open_beside(records);
-    then(store ? verify_store((*store)->context()) : Stored<StoreVerification>(std::unexpected(store.error())));
+    then(store ? verify_store((*store)->context(), watch) : Stored<StoreVerification>(std::unexpected(store.error())));
   });
 }
 

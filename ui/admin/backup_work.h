@@ -10,6 +10,7 @@
 
 #include "storage/backup/backup.h"
 #include "storage/records/verify.h"
+#include "ui/admin/work_run.h"
 #include "ui/modules.h"
 #include "ui/session/background_task.h"
 #include "ui/session/records_task.h"
@@ -24,9 +25,9 @@ struct BackedUp {
   std::optional<StorageFailure> not_removed;  // an old backup: where = its folder, detail = the system's reason
 };
 /// Makes a backup in `into` and removes the oldest beyond kBackupsKept. `then` is called on the task's thread.
-/// Without an actor it is the program's own daily one.
+/// Without an actor it is the program's own daily one; without progress nobody stops it.
 BackgroundTask back_up(RecordsBeside records, std::filesystem::path into, std::optional<Actor> actor,
-                       std::function<void(Stored<BackedUp>)> then);
+                       std::function<void(Stored<BackedUp>)> then, std::shared_ptr<WorkProgress> progress = {});
 struct WentBack {
   Backup backup;
   std::filesystem::path aside;  // where the records from before are
@@ -35,7 +36,8 @@ struct WentBack {
 /// called on the task's thread.
 BackgroundTask go_back(std::filesystem::path database, Backup backup, std::function<void(Stored<WentBack>)> then);
 /// verify_store(); `then` is called on the task's thread.
-BackgroundTask verify_records(RecordsBeside records, std::function<void(Stored<StoreVerification>)> then);
+BackgroundTask verify_records(RecordsBeside records, std::function<void(Stored<StoreVerification>)> then,
+                              std::shared_ptr<WorkProgress> progress);
 
 /// How far a verification of the audit log has come. Written by the task, read by the window.
 struct LogProgress {

@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <tuple>
+#include <utility>
 
 #include "ui/admin/backups_table.h"
 #include "ui/admin/recordings_card.h"
@@ -27,13 +29,14 @@ QString size_text(std::uint64_t bytes) { return QLocale().formattedDataSize(stat
 }  // namespace
 
 StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, const Ports& ports, QWidget* parent)
-    : QWidget(parent), database_(store.database().file()), records_(records_of(store)), station_(store.context().station), actor_(actor), settings_(settings), ports_(ports) {
+    : QWidget(parent), database_(store.database().file()), records_(records_of(store)), station_(store.context().station), actor_(actor),
+      settings_(settings), ports_(ports), run_(new WorkRun(this)) {
   const auto count = store.database().first("SELECT count(*) FROM session_summaries", [](Row row) { return row.u64(0); });
   if (count) sessions_ = count->value_or(0);
   // With what the write-ahead log still holds.
-  const auto bytes = store.database().first("SELECT page_count * page_size FROM pragma_page_count(), pragma_page_size()",
-                                            [](Row row) { return row.u64(0); });
-  if (bytes) bytes_ = bytes->value_or(0);
+  const auto size = store.database().first("SELECT page_count * page_size, page_size FROM pragma_page_count(), pragma_page_size()",
+                                           [](Row row) { return std::pair{row.u64(0), row.u64(1)}; });
+  if (size && *size) std::tie(bytes_, page_bytes_) = **size;
   if (const auto& key = store.context().key) key_ = fingerprint(key->id());
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
@@ -43,9 +46,7 @@ StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, c
   body->addWidget(new PageHead(tr("Station")));
   band_ = new Band;
   body->addWidget(band_);
-  busy_ = new Busy;
-  busy_->hide();
-  body->addWidget(busy_);
+  body->addWidget(run_->busy());
   columns_ = new QBoxLayout(QBoxLayout::LeftToRight);
   columns_->setSpacing(px(16));
   columns_->addWidget(make_backups());
@@ -143,28 +144,32 @@ void StationPage::show_backups() {
   newest_->setText(tr("The newest one is of %1.").arg(format_day_time(local_time(all->front().made_utc_us))));
 }
 
-void StationPage::begin(const QString& what) {
-  working_ = true;
+std::shared_ptr<WorkProgress> StationPage::begin(const QString& what, WorkRun::Counted counted) {
   // The pressed button stays enabled, as with ButtonWait: a disabled one hands the focus on to a field.
   for (QPushButton* button : {back_up_, choose_, verify_}) button->setEnabled(button == window()->focusWidget());
-  busy_->start(what, Busy::Cancel::none);
+  return run_->start(what, std::move(counted));
 }
 
 void StationPage::end() {
-  working_ = false;
-  busy_->finish();
+  run_->finish();
   for (QPushButton* button : {back_up_, choose_, verify_}) button->setEnabled(true);
 }
 
 void StationPage::back_up() {
-  if (working_) return;
-  begin(tr("Copying the records"));
-  task_ = ui::back_up(records_, settings_.backup_folder(database_), actor_, on_window<Stored<BackedUp>>(this, &StationPage::show_backed_up));
+  if (working()) return;
+  auto progress = begin(tr("Copying the records"), [page = page_bytes_](std::size_t done, std::size_t all) {
+    return tr("Copied %1 of %2").arg(size_text(done * page), size_text(all * page));
+  });
+  task_ = ui::back_up(records_, settings_.backup_folder(database_), actor_, on_window<Stored<BackedUp>>(this, &StationPage::show_backed_up),
+                      std::move(progress));
 }
 
 void StationPage::show_backed_up(const Stored<BackedUp>& made) {
   end();
   show_backups();
+  if (!made && made.error().code == StorageError::stopped) {
+    return band_->show_message(Band::Kind::look, tr("The backup was stopped."), tr("No backup was made, and the records are unchanged."));
+  }
   if (!made) {
     const Message message = describe(made.error());
     band_->show_message(Band::Kind::bad, tr("No backup was made."), message.what + u' ' + message.more);
@@ -194,9 +199,11 @@ void StationPage::choose_folder() {
 }
 
 void StationPage::verify() {
-  if (working_) return;
-  begin(tr("Verifying every record"));
-  task_ = verify_records(records_, on_window<Stored<StoreVerification>>(this, &StationPage::show_verified));
+  if (working()) return;
+  auto progress = begin(tr("Verifying every record"), [](std::size_t done, std::size_t all) {
+    return tr("Verified %1 of %2 attempts").arg(count_text(done), count_text(all));
+  });
+  task_ = verify_records(records_, on_window<Stored<StoreVerification>>(this, &StationPage::show_verified), std::move(progress));
 }
 
 void StationPage::show_verified(const Stored<StoreVerification>& proof) {
@@ -206,13 +213,21 @@ void StationPage::show_verified(const Stored<StoreVerification>& proof) {
     band_->show_message(Band::Kind::bad, message.what, message.more);
     return;
   }
-  if (proof->intact()) {
-    band_->show_message(Band::Kind::good, tr("%n session(s) and the audit log are whole.", nullptr, static_cast<int>(proof->sessions)), {});
+  if (!proof->findings.empty()) return show_findings(*proof);
+  if (proof->stopped) {
+    band_->show_message(Band::Kind::look, tr("The verification was stopped."),
+                        tr("Attempts verified and whole: %1. The others were not verified.").arg(count_text(proof->sessions)));
     return;
   }
+  band_->show_message(Band::Kind::good, tr("%n session(s) and the audit log are whole.", nullptr, static_cast<int>(proof->sessions)), {});
+}
+
+/// A stopped verification has them, too.
+void StationPage::show_findings(const StoreVerification& proof) {
   QStringList more;
-  for (std::size_t i = 0; i < proof->findings.size() && i < kFindingsShown; ++i) more += finding_text(proof->findings[i]);
-  band_->show_message(Band::Kind::bad, tr("%n finding(s): something was changed from outside.", nullptr, static_cast<int>(proof->findings.size())),
+  for (std::size_t i = 0; i < proof.findings.size() && i < kFindingsShown; ++i) more += finding_text(proof.findings[i]);
+  if (proof.stopped) more += tr("You stopped it; the other attempts were not verified.");
+  band_->show_message(Band::Kind::bad, tr("%n finding(s): something was changed from outside.", nullptr, static_cast<int>(proof.findings.size())),
                       more.join(u' '));
 }
 

@@ -8,6 +8,7 @@
 #include "storage/backup/backup.h"
 #include "storage/store.h"
 #include "ui/admin/backup_work.h"
+#include "ui/admin/work_run.h"
 #include "ui/modules.h"
 #include "ui/settings/settings.h"
 #include "ui/widgets/at_work.h"
@@ -21,7 +22,6 @@ namespace cusp::ui {
 
 class BackupsTable;
 class Band;
-class Busy;
 class NumberField;
 class RecordingsCard;
 
@@ -32,7 +32,7 @@ class StationPage : public QWidget, public AtWork {
   /// Settings and ports outlive the page.
   StationPage(Store& store, const Actor& actor, Settings& settings, const Ports& ports, QWidget* parent = nullptr);
   QString message() const;
-  bool working() const override { return working_; }
+  bool working() const override { return run_->running(); }
   RecordingsCard& recordings() { return *recordings_; }
 
  public Q_SLOTS:
@@ -50,7 +50,8 @@ class StationPage : public QWidget, public AtWork {
   void show_backups();
   void show_backed_up(const Stored<BackedUp>& made);
   void show_verified(const Stored<StoreVerification>& proof);
-  void begin(const QString& what);
+  void show_findings(const StoreVerification& proof);
+  std::shared_ptr<WorkProgress> begin(const QString& what, WorkRun::Counted counted);
   void end();
 
   std::filesystem::path database_;
@@ -59,13 +60,12 @@ class StationPage : public QWidget, public AtWork {
   Actor actor_;
   Settings& settings_;
   const Ports& ports_;
-  std::uint64_t sessions_ = 0, bytes_ = 0;
+  std::uint64_t sessions_ = 0, bytes_ = 0, page_bytes_ = 0;  // of the records, and of one of their pages
   QString key_;  // fingerprint of the station's key; empty: opened for reading
-  bool working_ = false;
   BackgroundTask task_;
   QBoxLayout* columns_ = nullptr;
   Band* band_;
-  Busy* busy_ = nullptr;
+  WorkRun* run_;
   NumberField* idle_ = nullptr;
   RecordingsCard* recordings_ = nullptr;
   QLabel *folder_ = nullptr, *newest_ = nullptr;

@@ -16,6 +16,7 @@
 #include "tests/unremovable.h"
 #include "ui/admin/recordings_card.h"
 #include "ui/admin/station_page.h"
+#include "ui/widgets/busy.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/table.h"
 
@@ -63,6 +64,13 @@ class Station : public testing::Test {
   }
   std::unique_ptr<StationPage> page() {
     return std::make_unique<StationPage>(records.store(), admin.actor(), settings, ports);
+  }
+  /// Begins what takes long and presses Cancel before its task has opened the records: it waits for whoever writes.
+  void begin_and_cancel(StationPage& page, void (StationPage::*work)()) {
+    const Transaction writes(records.store().database());
+    (page.*work)();
+    for (Busy* busy : page.findChildren<Busy*>())
+      if (busy->running()) Q_EMIT busy->cancelled();
   }
   static bool waited(const StationPage& page) {
     return QTest::qWaitFor([&] { return !page.working(); }, kPatienceMs);
@@ -180,6 +188,29 @@ TEST_F(Station, VerifiesAndNamesWhatWasChanged) {
   shown->verify();
   ASSERT_TRUE(waited(*shown));
   EXPECT_TRUE(shown->message().contains(QStringLiteral("grades"))) << shown->message().toStdString();
+}
+
+TEST_F(Station, ReportsAStoppedVerificationAsSuchAndNotAllAsWhole) {
+  const auto shown = page();
+  begin_and_cancel(*shown, &StationPage::verify);
+  ASSERT_TRUE(waited(*shown));
+  EXPECT_TRUE(shown->message().startsWith(QStringLiteral("The verification was stopped."))) << shown->message().toStdString();
+  EXPECT_TRUE(shown->message().contains(QStringLiteral("whole: 0. The others were not verified."))) << shown->message().toStdString();
+  shown->verify();
+  ASSERT_TRUE(waited(*shown));
+  EXPECT_TRUE(shown->message().contains(QStringLiteral("and the audit log are whole"))) << shown->message().toStdString();
+}
+
+TEST_F(Station, LeavesNothingOfABackupThatWasStopped) {
+  const auto shown = page();
+  shown->choose_folder();
+  begin_and_cancel(*shown, &StationPage::back_up);
+  ASSERT_TRUE(waited(*shown));
+  EXPECT_TRUE(shown->message().startsWith(QStringLiteral("The backup was stopped."))) << shown->message().toStdString();
+  EXPECT_FALSE(QDir(chosen).exists());
+  shown->back_up();
+  ASSERT_TRUE(waited(*shown));
+  EXPECT_TRUE(shown->message().contains(QStringLiteral("made and checked"))) << shown->message().toStdString();
 }
 
 TEST_F(Station, LeavesTheFocusToTheButtonThatVerifies) {

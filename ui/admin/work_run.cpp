@@ -1,0 +1,54 @@
+#include "ui/admin/work_run.h"
+
+#include <QLocale>
+#include <QTimer>
+#include <utility>
+
+#include "ui/widgets/busy.h"
+
+namespace cusp::ui {
+namespace {
+constexpr int kReadProgressMs = 100;
+}  // namespace
+
+WorkWatch watch_of(std::shared_ptr<WorkProgress> progress) {
+  if (!progress) return {};
+  return [progress = std::move(progress)](std::size_t done, std::size_t all) {
+    progress->all = all;
+    progress->done = done;
+    return !progress->stop;
+  };
+}
+
+QString count_text(std::size_t count) { return QLocale().toString(static_cast<qulonglong>(count)); }
+
+WorkRun::WorkRun(QObject* page) : QObject(page), busy_(new Busy), timer_(new QTimer(this)) {
+  connect(timer_, &QTimer::timeout, this, [this] { show_progress(); });
+  connect(busy_, &Busy::cancelled, this, [this] { cancel(); });
+}
+
+std::shared_ptr<WorkProgress> WorkRun::start(const QString& title, Counted counted) {
+  counted_ = std::move(counted);
+  progress_ = std::make_shared<WorkProgress>();
+  busy_->start(title, Busy::Cancel::offered);
+  timer_->start(kReadProgressMs);
+  return progress_;
+}
+
+void WorkRun::finish() {
+  progress_.reset();
+  timer_->stop();
+  busy_->finish();
+}
+
+void WorkRun::cancel() {
+  if (running()) progress_->stop = true;
+}
+
+void WorkRun::show_progress() {
+  if (!running() || progress_->all == 0) return;
+  const std::size_t done = progress_->done, all = progress_->all;
+  busy_->set_progress(static_cast<double>(done) / static_cast<double>(all), counted_(done, all));
+}
+
+}  // namespace cusp::ui

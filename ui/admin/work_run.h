@@ -1,0 +1,54 @@
+/// One work of a page at a time, in the background: how far it is, with Cancel. Thread: GUI.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+#include "storage/base/watch.h"
+#include "ui/modules.h"
+
+class QTimer;
+
+namespace cusp::ui {
+
+class Busy;
+
+/// How far a work has come, written by its task; `stop`, written by the window, ends it before its next step.
+struct WorkProgress {
+  std::atomic<std::size_t> done{0}, all{0};
+  std::atomic<bool> stop{false};
+};
+/// For the call that the task makes. Empty without progress.
+WorkWatch watch_of(std::shared_ptr<WorkProgress> progress);
+
+/// "1,200", as the language groups digits.
+QString count_text(std::size_t count);
+
+class WorkRun : public QObject {
+ public:
+  /// "Verified 200 of 900 attempts".
+  using Counted = std::function<QString(std::size_t done, std::size_t all)>;
+  /// The page owns the run, and lays busy() out.
+  explicit WorkRun(QObject* page);
+  Busy* busy() const { return busy_; }
+  bool running() const { return progress_ != nullptr; }
+  /// The task writes to what it returns. Pre: none runs.
+  std::shared_ptr<WorkProgress> start(const QString& title, Counted counted);
+  void finish();
+  /// Stops the work before its next step. Its outcome shows whether it was over before.
+  void cancel();
+
+ private:
+  void show_progress();
+
+  Busy* busy_;
+  QTimer* timer_;
+  Counted counted_;
+  std::shared_ptr<WorkProgress> progress_;  // null: none runs
+};
+
+}  // namespace cusp::ui
