@@ -33,7 +33,7 @@ QString name_not_kept(const Settings& settings) {
 }  // namespace
 
 ExchangePage::ExchangePage(Store& store, const Actor& actor, Settings& settings, const Ports& ports, QWidget* parent)
-    : QWidget(parent), store_(store), actor_(actor), settings_(settings), ports_(ports), model_(new StationsModel(this)) {
+    : QWidget(parent), store_(store), actor_(actor), settings_(settings), ports_(ports), model_(new StationsModel(this)), run_(new WorkRun(this)) {
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
   QVBoxLayout* outer = nullptr;
@@ -41,9 +41,7 @@ ExchangePage::ExchangePage(Store& store, const Actor& actor, Settings& settings,
   outer->addWidget(make_head());
   band_ = new Band;
   outer->addWidget(band_);
-  busy_ = new Busy;
-  busy_->hide();
-  outer->addWidget(busy_);
+  outer->addWidget(run_->busy());
   main_ = new QStackedWidget;
   main_->addWidget(make_stations());
   outer->addWidget(main_, 1);
@@ -66,8 +64,6 @@ QString ExchangePage::name_in_file() const {
   for (const QChar c : name_of(store_.context().station)) out += c.isLetterOrNumber() ? c : u'-';
   return out;
 }
-
-ExchangeWork ExchangePage::work_on(const QString& file) const { return {records_of(store_), file.toStdString(), actor_}; }
 
 QWidget* ExchangePage::make_head() {
   auto* head = new PageHead(tr("Other stations"));
@@ -199,7 +195,7 @@ void ExchangePage::show_step(Step step, Card* card) {
 
 void ExchangePage::back_to_stations() {
   step_ = Step::stations;
-  read_->setEnabled(!working_);
+  read_->setEnabled(!working());
   if (main_->count() < 2) return;
   QWidget* old = main_->widget(1);
   main_->removeWidget(old);
@@ -210,6 +206,9 @@ void ExchangePage::back_to_stations() {
 void ExchangePage::show_failure(const QString& what, const Message& message) {
   band_->show_message(Band::Kind::bad, what.isEmpty() ? message.what : what, what.isEmpty() ? message.more : message.line());
 }
+
+/// It is no failure: somebody wanted it.
+void ExchangePage::show_stopped(const QString& what) { band_->show_message(Band::Kind::look, what, tr("You stopped it. Nothing was changed.")); }
 
 void ExchangePage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
@@ -240,7 +239,7 @@ void ExchangePage::copy_fingerprint() {
 }
 
 void ExchangePage::choose_key() {
-  if (working_) return;
+  if (working()) return;
   FileWish wish;
   wish.title = tr("Choose a station’s key");
   wish.filter = tr("Key of a station (*.cuspkey)") + u";;"_qs + tr("All files (*)");
@@ -256,7 +255,7 @@ void ExchangePage::choose_key() {
 
 void ExchangePage::open_station() {
   const int row = table_->chosen_row();
-  if (working_ || row < 0) return;
+  if (working() || row < 0) return;
   const OtherKey& known = model_->station(row).key;
   band_->clear();
   waiting_.reset();
@@ -311,7 +310,7 @@ void ExchangePage::trust_key(const PublicKey& key, std::optional<KeyRole> known,
 
 void ExchangePage::revoke_station() {
   const int row = table_->chosen_row();
-  if (working_ || row < 0) return;
+  if (working() || row < 0) return;
   const KnownStation known = model_->station(row);
   const QString who = station_text(known.name, known.key.station);
   ports_.ask(this, {tr("Revoke the key of %1?").arg(isolate(who)),

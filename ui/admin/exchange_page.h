@@ -9,6 +9,7 @@
 #include "storage/store.h"
 #include "ui/admin/exchange_work.h"
 #include "ui/admin/stations_model.h"
+#include "ui/admin/work_run.h"
 #include "ui/modules.h"
 #include "ui/settings/settings.h"
 #include "ui/widgets/at_work.h"
@@ -23,7 +24,6 @@ class QStackedWidget;
 namespace cusp::ui {
 
 class Band;
-class Busy;
 class Card;
 struct KeyToTrust;
 struct Message;
@@ -36,7 +36,7 @@ class ExchangePage : public QWidget, public AtWork {
   /// Store, settings and ports outlive the page.
   ExchangePage(Store& store, const Actor& actor, Settings& settings, const Ports& ports, QWidget* parent = nullptr);
   QString message() const;
-  bool working() const override { return working_; }
+  bool working() const override { return run_->running(); }
   /// What stands in place of the list: comparing a key, looking at a file, or neither.
   enum class Step { stations, key, file };
   Step step() const { return step_; }
@@ -66,6 +66,7 @@ class ExchangePage : public QWidget, public AtWork {
   void show_step(Step step, Card* card);
   void back_to_stations();
   void show_failure(const QString& what, const Message& message);
+  void show_stopped(const QString& what);
   void ask_for_key(const KeyToTrust& asked);
   /// `known`: as its card showed it. Nothing is written if another window has changed that since.
   void trust_key(const PublicKey& key, std::optional<KeyRole> known, KeyRole role, const QString& name);
@@ -77,9 +78,8 @@ class ExchangePage : public QWidget, public AtWork {
   void show_file(const ExchangeLook& look);
   void read_in();
   void show_read_in(const Stored<ReadIn>& read);
-  void begin(const QString& what);
+  ExchangeWork begin(const QString& what, const QString& file, WorkRun::Counted counted);
   void end();
-  ExchangeWork work_on(const QString& file) const;
   QString name_of(const Uuid& station) const;
   QString own_name() const;
   QString name_in_file() const;
@@ -89,14 +89,14 @@ class ExchangePage : public QWidget, public AtWork {
   Settings& settings_;
   const Ports& ports_;
   Step step_ = Step::stations;
-  bool working_ = false;
-  QString file_;                         // that is read
-  QString given_;                        // that is written
-  std::optional<ExchangeLook> waiting_;  // for its key
+  QString file_;                               // that is read
+  ExchangeKind kind_ = ExchangeKind::results;  // of that file, once it was checked
+  QString given_;                              // that is written
+  std::optional<ExchangeLook> waiting_;        // for its key
   BackgroundTask task_;
   StationsModel* model_;
   Band* band_;
-  Busy* busy_;
+  WorkRun* run_;
   QBoxLayout *columns_ = nullptr, *acts_ = nullptr;
   QStackedWidget *main_ = nullptr, *list_ = nullptr;
   Table* table_ = nullptr;

@@ -2,13 +2,13 @@
 
 #include <QFile>
 #include <QPushButton>
+#include <utility>
 
 #include "storage/base/hash.h"
 #include "ui/admin/exchange_cards.h"
 #include "ui/admin/exchange_page.h"
 #include "ui/admin/on_window.h"
 #include "ui/text/exchange_text.h"
-#include "ui/widgets/busy.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
@@ -22,6 +22,11 @@ std::optional<StorageFailure> refusal_of(const ExchangeLook& look) {
   return StorageFailure{StorageError::revoked_key, look.description.station.text(), hex(key_id(look.signer.bytes))};
 }
 
+template <class Outcome>
+bool was_stopped(const Stored<Outcome>& outcome) {
+  return !outcome && outcome.error().code == StorageError::stopped;
+}
+
 /// Whether an administrator has to compare the key before the file can be read.
 bool asks_for_key(const ExchangeLook& look) {
   if (!look.role || look.role == KeyRole::former) return true;
@@ -30,18 +35,16 @@ bool asks_for_key(const ExchangeLook& look) {
 
 }  // namespace
 
-void ExchangePage::begin(const QString& what) {
-  working_ = true;
+ExchangeWork ExchangePage::begin(const QString& what, const QString& file, WorkRun::Counted counted) {
   band_->clear();
   for (QWidget* part : {static_cast<QWidget*>(read_), static_cast<QWidget*>(main_), static_cast<QWidget*>(results_), static_cast<QWidget*>(office_)}) {
     part->setEnabled(false);
   }
-  busy_->start(what, Busy::Cancel::none);
+  return {records_of(store_), file.toStdString(), actor_, run_->start(what, std::move(counted))};
 }
 
 void ExchangePage::end() {
-  working_ = false;
-  busy_->finish();
+  run_->finish();
   for (QWidget* part : {static_cast<QWidget*>(main_), static_cast<QWidget*>(results_), static_cast<QWidget*>(office_)}) part->setEnabled(true);
   read_->setEnabled(step_ == Step::stations);
 }
@@ -50,7 +53,7 @@ void ExchangePage::give_out_results() { give_out_to(ExchangeKind::results); }
 void ExchangePage::give_out_office() { give_out_to(ExchangeKind::office); }
 
 void ExchangePage::give_out_to(ExchangeKind kind) {
-  if (working_) return;
+  if (working()) return;
   FileWish wish;
   wish.title = kind == ExchangeKind::office ? tr("Give out people and assignments") : tr("Give out results");
   wish.name = u"cusp-%1-%2-%3.cuspexchange"_qs.arg(kind == ExchangeKind::office ? u"office"_qs : u"results"_qs,
@@ -64,13 +67,16 @@ void ExchangePage::give_out_to(ExchangeKind kind) {
       return show_failure({}, describe_exchange_failure(taken, path));
     }
     given_ = path;
-    begin(tr("Writing the file"));
-    task_ = give_out_file(work_on(given_), kind, on_window<Stored<GivenOut>>(this, &ExchangePage::show_given_out));
+    ExchangeWork work = begin(tr("Writing the file"), given_, [kind](std::size_t done, std::size_t all) {
+      return (kind == ExchangeKind::office ? tr("Copied %1 of %2 people") : tr("Copied %1 of %2 attempts")).arg(count_text(done), count_text(all));
+    });
+    task_ = give_out_file(std::move(work), kind, on_window<Stored<GivenOut>>(this, &ExchangePage::show_given_out));
   });
 }
 
 void ExchangePage::show_given_out(const Stored<GivenOut>& given) {
   end();
+  if (was_stopped(given)) return show_stopped(tr("No file was given out."));
   if (!given) return show_failure(tr("No file was given out."), describe_exchange_failure(given.error(), given_));
   band_->show_message(Band::Kind::good, tr("File %1 of this station is written: %2.").arg(given->description.number()).arg(counts_text(given->counts)),
                       given->description.kind == ExchangeKind::office ? tr("%1. Read it in at each station.").arg(isolate(given_))
@@ -78,7 +84,7 @@ void ExchangePage::show_given_out(const Stored<GivenOut>& given) {
 }
 
 void ExchangePage::choose_file() {
-  if (working_) return;
+  if (working()) return;
   FileWish wish;
   wish.title = tr("Choose a file of another station");
   wish.filter = tr("File of a station (*.cuspexchange)") + u";;"_qs + tr("All files (*)");
@@ -88,12 +94,16 @@ void ExchangePage::choose_file() {
 
 void ExchangePage::look_into(const QString& path) {
   file_ = path;
-  begin(tr("Checking the file"));
-  task_ = look_into_file(work_on(file_), on_window<Stored<ExchangeLook>>(this, &ExchangePage::show_look));
+  // Attempts of a results file, or people of an office file: the outcome shows which it is.
+  ExchangeWork work = begin(tr("Checking the file"), file_, [](std::size_t done, std::size_t all) {
+    return tr("Checked %1 of %2").arg(count_text(done), count_text(all));
+  });
+  task_ = look_into_file(std::move(work), on_window<Stored<ExchangeLook>>(this, &ExchangePage::show_look));
 }
 
 void ExchangePage::show_look(const Stored<ExchangeLook>& look) {
   end();
+  if (was_stopped(look)) return show_stopped(tr("The file was not checked."));
   if (!look) return show_failure({}, describe_exchange_failure(look.error(), file_));
   if (const auto refused = refusal_of(*look)) return show_failure({}, describe(*refused));
   if (!asks_for_key(*look)) return show_file(*look);
@@ -110,6 +120,7 @@ void ExchangePage::show_look(const Stored<ExchangeLook>& look) {
 }
 
 void ExchangePage::show_file(const ExchangeLook& look) {
+  kind_ = look.description.kind;
   auto* card = new FileCard({look, name_of(look.description.station), file_});
   connect(card, &FileCard::left, this, &ExchangePage::back_to_stations);
   connect(card, &FileCard::agreed, this, &ExchangePage::read_in);
@@ -117,13 +128,19 @@ void ExchangePage::show_file(const ExchangeLook& look) {
 }
 
 void ExchangePage::read_in() {
-  if (working_) return;
-  begin(tr("Reading the file in"));
-  task_ = read_file_in(work_on(file_), on_window<Stored<ReadIn>>(this, &ExchangePage::show_read_in));
+  if (working()) return;
+  ExchangeWork work = begin(tr("Reading the file in"), file_, [kind = kind_](std::size_t done, std::size_t all) {
+    return (kind == ExchangeKind::office ? tr("Read %1 of %2 people") : tr("Read %1 of %2 attempts")).arg(count_text(done), count_text(all));
+  });
+  task_ = read_file_in(std::move(work), on_window<Stored<ReadIn>>(this, &ExchangePage::show_read_in));
 }
 
 void ExchangePage::show_read_in(const Stored<ReadIn>& read) {
   end();
+  if (was_stopped(read)) {
+    main_->currentWidget()->setFocus();
+    return show_stopped(tr("The file was not read."));
+  }
   back_to_stations();
   if (!read) return show_failure({}, describe_exchange_failure(read.error(), file_));
   read_stations();

@@ -3,19 +3,22 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 
 #include "storage/exchange/exchange.h"
+#include "ui/admin/work_run.h"
 #include "ui/modules.h"
 #include "ui/session/background_task.h"
 #include "ui/session/records_task.h"
 
 namespace cusp::ui {
 
-/// The records of this station, the file, and who acts.
+/// The records of this station, the file, who acts, and how far it is.
 struct ExchangeWork {
   RecordsBeside records;
   std::filesystem::path file;
   Actor actor{};
+  std::shared_ptr<WorkProgress> progress{};
 };
 
 /// give_out().

@@ -10,12 +10,15 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTest>
+#include <functional>
 
 #include "tests/modules.h"
+#include "tests/ui/admin/one_station.h"
 #include "tests/ui/looks.h"
 #include "ui/admin/exchange_cards.h"
 #include "ui/admin/exchange_page.h"
 #include "ui/text/incident_text.h"
+#include "ui/widgets/busy.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
@@ -23,29 +26,6 @@ namespace cusp::test {
 namespace {
 
 constexpr int kWorkMs = 60'000;
-
-/// A station with an administrator of its own and a page of it.
-struct OneStation {
-  explicit OneStation(const std::string& number) {
-    StoreOptions options;
-    options.cost = PasswordCost::least();
-    store = std::move(*Store::open((folder.path() + QStringLiteral("/cusp.db")).toStdString(), options));
-    admin = *store->accounts.create_first_administrator(
-        {.number = number, .name = "Keeper " + number, .role = Role::administrator, .password = "correct horse", .pin = {}});
-  }
-  Account student(const std::string& number, const std::string& name) {
-    return *store->accounts.create(admin.actor(), {.number = number, .name = name, .role = Role::student, .password = {}, .pin = "314159"});
-  }
-  Hash256 key() { return store->context().key->id(); }
-  PublicKey public_key() { return *public_key_from(*own_key(store->context(), admin.actor())); }
-  std::vector<OtherKey> known() { return *other_keys(store->context(), admin.actor()); }
-  std::size_t people() { return store->accounts.list(admin.actor())->size(); }
-
-  QTemporaryDir folder;
-  std::unique_ptr<Store> store;
-  Account admin;
-  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
-};
 
 class FilesBetweenStations : public testing::Test {
  protected:
@@ -314,6 +294,35 @@ TEST_F(FilesBetweenStations, AFileThatIsThereIsNotOverwritten) {
   EXPECT_TRUE(shown->message().contains(QStringLiteral("is there already"))) << shown->message().toStdString();
   EXPECT_EQ(QFileInfo(chosen).size(), before);
   EXPECT_EQ(wished, FileWish::What::new_file) << "else the picker asks whether to replace it";
+}
+
+TEST_F(FilesBetweenStations, WhatIsStoppedIsNotDoneAndCanBeBegunAnew) {
+  office.student("4711", "Lena Brandt");
+  trust_directly(clinic, office, KeyRole::office);
+  const QString people = file_of(office, ExchangeKind::office);
+  const auto shown = page(clinic);
+  const auto begin_and_cancel = [&](const std::function<void()>& begin) {
+    {
+      const Transaction writes(clinic.store->database());  // the task waits for it where it opens the records
+      begin();
+      Q_EMIT shown->findChild<Busy*>()->cancelled();
+    }
+    wait_for(*shown);
+    return shown->message().toStdString();
+  };
+  chosen = stick.filePath(QStringLiteral("results.cuspexchange"));
+  EXPECT_EQ(begin_and_cancel([&] { shown->give_out_results(); }).find("No file was given out."), 0u);
+  EXPECT_FALSE(QFile::exists(chosen));
+  chosen = people;
+  EXPECT_EQ(begin_and_cancel([&] { shown->choose_file(); }).find("The file was not checked."), 0u);
+  EXPECT_EQ(shown->step(), ExchangePage::Step::stations);
+  choose(*shown, people);
+  EXPECT_EQ(begin_and_cancel([&] { press(*shown, QStringLiteral("Read it in")); }).find("The file was not read."), 0u);
+  EXPECT_EQ(clinic.people(), 1u);
+  ASSERT_EQ(shown->step(), ExchangePage::Step::file) << "it is still shown";
+  press(*shown, QStringLiteral("Read it in"));
+  wait_for(*shown);
+  EXPECT_EQ(clinic.people(), 3u) << shown->message().toStdString();
 }
 
 /// No button cuts its text, and nothing lies beside the window.
