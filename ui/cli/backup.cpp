@@ -6,6 +6,7 @@
 
 #include "storage/base/clock.h"
 #include "ui/cli/account.h"
+#include "ui/cli/interrupt.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/text.h"
 #include "ui/cli/verb.h"
@@ -44,7 +45,9 @@ int back_up(const BackupOptions& o) {
   if (!store) return failed(store.error());
   auto account = sign_in(**store, o.account, WithoutAccounts::refuse);
   if (!account) return failed(account.error());
-  const auto backup = make_backup((*store)->context(), account->actor(), o.to);
+  // A program that ended at Ctrl+C would leave half a backup, with a secret key.
+  catch_interrupt();
+  const auto backup = make_backup((*store)->context(), account->actor(), o.to, goes_on_until_interrupt);
   if (!backup) return failed(describe_backup(backup.error(), o.to));
   if (!o.json.write(backup_json(*backup))) return kFailed;
   if (!o.json.on_stdout()) print_line(backup->folder.string());

@@ -7,6 +7,7 @@
 #include "storage/base/clock.h"
 #include "storage/exchange/trust.h"
 #include "ui/cli/account.h"
+#include "ui/cli/interrupt.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/text.h"
 #include "ui/cli/verb.h"
@@ -125,7 +126,8 @@ int write_file(const ExchangeOptions& o) {
   if (const auto no = refuse_outputs({o.file, o.json.file}, o.db)) return failed(*no);
   const auto in = sign_in_to(o);
   if (!in) return failed(in.error());
-  const auto made = give_out(in->store->context(), in->actor, o.office ? ExchangeKind::office : ExchangeKind::results, o.file);
+  catch_interrupt();
+  const auto made = give_out(in->store->context(), in->actor, o.office ? ExchangeKind::office : ExchangeKind::results, o.file, goes_on_until_interrupt);
   if (!made) {
     const auto reason = reason_of_place(made.error(), o.file);
     return failed(reason ? cannot_write(o.file, *reason) : describe_exchange_failure(made.error(), named(o.file)));
@@ -139,7 +141,8 @@ int read_file(const ExchangeOptions& o) {
   if (const auto no = refuse_outputs({o.json.file}, o.db, {o.file})) return failed(*no);
   const auto in = sign_in_to(o);
   if (!in) return failed(in.error());
-  const auto read = read_in(in->store->context(), in->actor, o.file);
+  catch_interrupt();
+  const auto read = read_in(in->store->context(), in->actor, o.file, goes_on_until_interrupt);
   if (!read) {
     if (const auto refused = unreadable(read.error(), o.file)) return failed(*refused);
     return failed(describe_exchange_failure(read.error(), named(o.file)));

@@ -201,7 +201,7 @@ int verify(const HistoryOptions& o) {
   if (!account) return failed(account.error());
   catch_interrupt();
   if (const auto damage = damage_of(**store, o.db)) return failed(describe(*damage));
-  const auto verified = verify_store((*store)->context(), [](std::size_t, std::size_t) { return !interrupted(); });
+  const auto verified = verify_store((*store)->context(), goes_on_until_interrupt);
   if (!verified) return failed(describe(verified.error()));
 
   nlohmann::ordered_json json;
