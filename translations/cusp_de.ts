@@ -1359,6 +1359,10 @@
         <source>Adjustments</source>
         <translation>Nachteilsausgleich</translation>
     </message>
+    <message>
+        <source>could not be read</source>
+        <translation>konnte nicht gelesen werden</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Changes</name>
@@ -3336,6 +3340,18 @@
         <source>Stopped before the last student. Those who are named are erased.</source>
         <translation>Vor der letzten Person angehalten. Die genannten Personen sind gelöscht.</translation>
     </message>
+    <message>
+        <source>“%1” is the key of more than one exercise: give the id of one.</source>
+        <translation>„%1“ ist der Schlüssel mehrerer Übungen: Geben Sie die Kennung einer von ihnen an.</translation>
+    </message>
+    <message>
+        <source>The verification was stopped.</source>
+        <translation>Die Prüfung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Attempts verified and whole: %1. The others were not verified.</source>
+        <translation>Geprüft und unversehrt: %1 (Versuche). Die übrigen wurden nicht geprüft.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
@@ -3569,6 +3585,10 @@
     <message>
         <source>Choose one in the form.</source>
         <translation>Wählen Sie eine im Formular.</translation>
+    </message>
+    <message>
+        <source>The start code could not be read</source>
+        <translation>Der Startcode konnte nicht gelesen werden</translation>
     </message>
 </context>
 <context>
@@ -5259,6 +5279,46 @@
     <message>
         <source>The list shows it as it is now. Nothing was changed here.</source>
         <translation>Die Liste zeigt ihn, wie er jetzt ist. Hier wurde nichts geändert.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written, so the next start does not know the name.</source>
+        <translation>%1 kann nicht geschrieben werden, darum kennt der nächste Start den Namen nicht.</translation>
+    </message>
+    <message>
+        <source>The name holds until Cusp is closed.</source>
+        <translation>Der Name gilt, bis Cusp geschlossen wird.</translation>
+    </message>
+    <message>
+        <source>You stopped it. Nothing was changed.</source>
+        <translation>Sie haben abgebrochen. Es wurde nichts verändert.</translation>
+    </message>
+    <message>
+        <source>Copied %1 of %2 people</source>
+        <translation>%1 von %2 Personen kopiert</translation>
+    </message>
+    <message>
+        <source>Copied %1 of %2 attempts</source>
+        <translation>%1 von %2 Versuchen kopiert</translation>
+    </message>
+    <message>
+        <source>Checked %1 of %2</source>
+        <translation>%1 von %2 geprüft</translation>
+    </message>
+    <message>
+        <source>The file was not checked.</source>
+        <translation>Die Datei wurde nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>Read %1 of %2 people</source>
+        <translation>%1 von %2 Personen eingelesen</translation>
+    </message>
+    <message>
+        <source>Read %1 of %2 attempts</source>
+        <translation>%1 von %2 Versuchen eingelesen</translation>
+    </message>
+    <message>
+        <source>The file was not read.</source>
+        <translation>Die Datei wurde nicht eingelesen.</translation>
     </message>
 </context>
 <context>
@@ -7849,6 +7909,18 @@
         <source>Older attempts are not shown: they could not be read.</source>
         <translation>Ältere Versuche sind nicht angezeigt: Sie konnten nicht gelesen werden.</translation>
     </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Your attempts could not be read.</source>
+        <translation>Ihre Versuche konnten nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The charts are not shown: their attempts could not be read.</source>
+        <translation>Die Diagramme sind nicht angezeigt: Ihre Versuche konnten nicht gelesen werden.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::PackCard</name>
@@ -9648,6 +9720,14 @@
         <source>peak force %1</source>
         <translation>höchste Kraft %1</translation>
     </message>
+    <message>
+        <source>The records of this attempt could not be read</source>
+        <translation>Die Daten dieses Versuchs konnten nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>parts of the records could not be read</source>
+        <translation>Teile der Daten konnten nicht gelesen werden</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReportPage</name>
@@ -9842,6 +9922,18 @@
     <message>
         <source>Cut the tooth open and compare its walls with the ideal preparation</source>
         <translation>Den Zahn aufschneiden und seine Wände mit der Idealpräparation vergleichen</translation>
+    </message>
+    <message>
+        <source>This report is not whole: parts of the records could not be read.</source>
+        <translation>Dieser Bericht ist unvollständig: Teile der Daten konnten nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Remarks, changed points or an earlier result may be missing. %1</source>
+        <translation>Anmerkungen, geänderte Punkte oder ein früheres Ergebnis fehlen womöglich. %1</translation>
+    </message>
+    <message>
+        <source>It could not be read whether a result came before.</source>
+        <translation>Ob es ein früheres Ergebnis gibt, konnte nicht gelesen werden.</translation>
     </message>
 </context>
 <context>
@@ -10903,6 +10995,10 @@ Ihr bester davor</translation>
         <source>An interrupted attempt could not be read.</source>
         <translation>Ein unterbrochener Versuch konnte nicht gelesen werden.</translation>
     </message>
+    <message>
+        <source>The newest comment could not be read.</source>
+        <translation>Der neueste Kommentar konnte nicht gelesen werden.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::StationPage</name>
@@ -11049,6 +11145,34 @@ Ihr bester davor</translation>
     <message>
         <source>%1 cannot be written, so the next start does not know them.</source>
         <translation>%1 kann nicht geschrieben werden, darum kennt der nächste Start sie nicht.</translation>
+    </message>
+    <message>
+        <source>Copied %1 of %2</source>
+        <translation>%1 von %2 kopiert</translation>
+    </message>
+    <message>
+        <source>The backup was stopped.</source>
+        <translation>Die Sicherung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>No backup was made, and the records are unchanged.</source>
+        <translation>Es wurde keine Sicherung angelegt, und der Datenbestand ist unverändert.</translation>
+    </message>
+    <message>
+        <source>Verified %1 of %2 attempts</source>
+        <translation>%1 von %2 Versuchen geprüft</translation>
+    </message>
+    <message>
+        <source>The verification was stopped.</source>
+        <translation>Die Prüfung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Attempts verified and whole: %1. The others were not verified.</source>
+        <translation>Geprüft und unversehrt: %1 (Versuche). Die übrigen wurden nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>You stopped it; the other attempts were not verified.</source>
+        <translation>Sie haben abgebrochen; die übrigen Versuche wurden nicht geprüft.</translation>
     </message>
 </context>
 <context>
@@ -13962,6 +14086,14 @@ Ihr bester davor</translation>
     <message>
         <source>%1 belongs to records that were moved away. Move it beside them, or choose another place with --db.</source>
         <translation>%1 gehört zu Daten, die verschoben wurden. Legen Sie die Datei neben diese, oder wählen Sie mit --db einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The result was changed at another desk meanwhile.</source>
+        <translation>Das Ergebnis wurde inzwischen an einem anderen Platz geändert.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Abgebrochen.</translation>
     </message>
 </context>
 <context>
