@@ -7769,6 +7769,10 @@
         <source>%1: no points to change</source>
         <translation>%1: keine Punkte zu ändern</translation>
     </message>
+    <message>
+        <source>This is your own attempt: another examiner marks and releases it.</source>
+        <translation>Dies ist Ihr eigener Versuch: Eine andere Lehrkraft bewertet ihn und gibt ihn frei.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::MeshForm</name>
@@ -14094,6 +14098,14 @@ Ihr bester davor</translation>
     <message>
         <source>Stopped.</source>
         <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>This is your own attempt.</source>
+        <translation>Dies ist Ihr eigener Versuch.</translation>
+    </message>
+    <message>
+        <source>Another examiner marks and releases it. Nothing was changed.</source>
+        <translation>Eine andere Lehrkraft bewertet ihn und gibt ihn frei. Nichts wurde geändert.</translation>
     </message>
 </context>
 <context>

@@ -42,6 +42,14 @@ Action right_for(StatementKind kind) noexcept {
   return kind == StatementKind::release ? Action::assign : Action::grade_again;
 }
 
+/// What an examiner decides about a result. Nobody decides about an own attempt, as who has become an instructor could.
+bool decides(StatementKind kind) noexcept { return right_for(kind) == Action::grade_again || kind == StatementKind::release; }
+
+void require_other(Transaction& transaction, SessionId session, UserId actor) {
+  const auto student = transaction.first("SELECT student FROM sessions WHERE id = ?1", [](Row row) { return row.id<UserId>(0); }, session);
+  if (student && *student == actor) transaction.refuse({StorageError::not_allowed, "own_attempt", session.text()});
+}
+
 }  // namespace
 
 Stored<SignedStatement> Statements::state(const Actor& actor, SignedStatement statement, const Check& check) {
@@ -50,6 +58,7 @@ Stored<SignedStatement> Statements::state(const Actor& actor, SignedStatement st
   require_now(transaction, actor.id, right_for(statement.kind));
   require_state(transaction, statement.session, Need::not_running);
   if (!statement.text.empty()) require_student(transaction, statement.session);
+  if (decides(statement.kind)) require_other(transaction, statement.session, actor.id);
   if (transaction.ok()) check(transaction, statement);
   insert_statement(c_, transaction, statement);
   if (transaction.ok()) follow_event(transaction, statement.session);
@@ -158,6 +167,7 @@ Stored<SignedStatement> Statements::withdraw(const Actor& actor, SessionId sessi
     }
     if (auto allowed = require(actor, right_for(target->kind)); !allowed) transaction.refuse(allowed.error());
     require_now(transaction, actor.id, right_for(target->kind));
+    if (decides(target->kind)) require_other(transaction, made.session, actor.id);
   });
 }
 

@@ -1,6 +1,7 @@
 /// What examiners and instructors state about a session: comments, overrides, confirmation, release, withdrawal; and what its
 /// student states: the own assessment. Each is a signed row that stays (storage/records/statement_rows.h). Every write refuses
-/// while the session runs (wrong_state), and one with a text once its student was erased (not_found, where = people).
+/// while the session runs (wrong_state), and one with a text once its student was erased (not_found, where = people). Nobody decides about
+/// an own attempt, by override, confirmation, release, or withdrawal of one (not_allowed, where = own_attempt).
 #pragma once
 
 #include <cstdint>

@@ -61,6 +61,21 @@ TEST_F(StatementsTest, a_comment_of_an_older_program_stands_before_the_new_ones)
   EXPECT_EQ(comments[0].tick, 12u);
 }
 
+TEST_F(StatementsTest, nobody_decides_about_an_own_attempt_after_a_change_of_role) {
+  const SessionId id = complete_session(*store, lena, version, 68);
+  const Uuid changed = must(statements().override_points(instructor, id, "target_removed", 5, "Not cut.")).id;
+  must(store->accounts.set_role(administrator, lena.id, Role::instructor));
+  const Actor own{lena.id, Role::instructor};
+  for (const auto& refused : {statements().override_points(own, id, "target_removed", 20, "Worn."), statements().confirm(own, id),
+                              statements().release(own, id), statements().withdraw(own, id, changed, "Unfair.")}) {
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().where, "own_attempt");
+  }
+  must(statements().comment(own, id, "I slipped here."));
+  must(statements().withdraw(instructor, id, changed, "Looked again."));
+  expect_whole();
+}
+
 TEST_F(StatementsTest, an_override_counts_in_grade_list_and_figures_and_the_stored_grade_stays) {
   const SessionId id = complete_session(*store, lena, version, 68);
   must(statements().override_points(instructor, id, "target_removed", 20, "The block was worn."));

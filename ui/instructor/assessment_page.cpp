@@ -28,8 +28,9 @@ namespace {
 /// One that runs has no report yet.
 bool has_report(const CandidateRow& row) { return row.attempt && row.attempt->state != SessionState::running; }
 
-bool may_be_released(const CandidateRow& row) {
-  return row.attempt && !row.attempt->released && row.grade && !row.grade->needs_confirmation();
+/// The examiner's own attempt is another's to release.
+bool may_be_released(const CandidateRow& row, UserId examiner) {
+  return row.attempt && row.student != examiner && !row.attempt->released && row.grade && !row.grade->needs_confirmation();
 }
 
 bool waits_for_confirmation(const CandidateRow& row) {
@@ -345,7 +346,7 @@ void AssessmentPage::read() {
     if (const auto completed = complete(row); !completed) return show_failure(completed.error());
   }
   std::ranges::stable_sort(rows, {}, &CandidateRow::candidate);
-  release_->setEnabled(std::ranges::any_of(rows, may_be_released));
+  release_->setEnabled(std::ranges::any_of(rows, [this](const CandidateRow& row) { return may_be_released(row, actor_.id); }));
   const auto chosen = std::ranges::find_if(rows, same);
   const int row = chosen == rows.end() ? std::max(before, 0) : static_cast<int>(chosen - rows.begin());
   if (edited_ && std::ranges::find(rows, edited_->student, &CandidateRow::student) == rows.end()) edited_.reset();
@@ -362,7 +363,7 @@ void AssessmentPage::open_chosen() {
 
 void AssessmentPage::release_all() {
   int ready = 0;
-  for (int i = 0; i < model_->rowCount(); ++i) ready += may_be_released(model_->row(i)) ? 1 : 0;
+  for (int i = 0; i < model_->rowCount(); ++i) ready += may_be_released(model_->row(i), actor_.id) ? 1 : 0;
   ports_.ask(this,
              {tr("Release %n result(s)?", nullptr, ready),
               tr("Their students can then read points, criteria and remarks. Failed results that nobody has confirmed stay withheld."),
@@ -378,7 +379,7 @@ void AssessmentPage::release_now() {
   for (int i = 0; i < model_->rowCount(); ++i) {
     const CandidateRow& row = model_->row(i);
     waiting += waits_for_confirmation(row) ? 1 : 0;
-    if (!may_be_released(row)) continue;
+    if (!may_be_released(row, actor_.id)) continue;
     if (const auto done = store_.statements.release(actor_, row.attempt->session); !done) {
       if (done.error().code == StorageError::wrong_state) continue;  // another desk was faster
       show_failure(done.error());

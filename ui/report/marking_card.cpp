@@ -74,7 +74,13 @@ MarkingCard::MarkingCard(Store& store, const Actor& actor, const ReportData& rep
   row->addWidget(at_place_, 1);
   inside->addLayout(row);
   connect(add, &QPushButton::clicked, this, &MarkingCard::comment);
-  if (may(actor.role, Action::grade_again)) {
+  const bool examines = may(actor.role, Action::grade_again);
+  if (examines && report.of_reader) {
+    QLabel* own = make_label(tr("This is your own attempt: another examiner marks and releases it."), TextRole::body, Weight::regular, "text2");
+    own->setWordWrap(true);
+    inside->addWidget(own);
+  }
+  if (examines && !report.of_reader) {
     inside->addWidget(make_points());
     inside->addWidget(make_result());
   }

@@ -185,6 +185,7 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
   if (details) {
     add_remarks(data, *store, *reader, *details);
     data.released = details->row.released;
+    data.of_reader = details->row.student == reader->id;
     if (!details->session.header.exercise.empty()) data.drawn_tooth = result.scenario.specimen.seed;
     auto own = store->statements.self_assessment(*reader, result.session);
     if (own) data.own = std::move(*own);

@@ -35,6 +35,7 @@ struct ReportData {
   SessionResult result;
   QString title;                  // of the exercise, in the installed language
   QString student;                // candidate number in an assessment; empty for an attempt that nobody signed in for
+  bool of_reader = false;         // the reader's own attempt
   QDateTime when;                 // local time of the attempt's start; null when nothing was kept
   SessionKind kind = SessionKind::try_it;
   int attempt = 0;                     // 0 = nothing was kept

@@ -138,6 +138,9 @@ Message describe_not_allowed(const StorageFailure& f) {
   if (f.where == "own_account") {
     return {Text::tr("This is your own account."), Text::tr("Another administrator erases it. Nothing was changed.")};
   }
+  if (f.where == "own_attempt") {
+    return {Text::tr("This is your own attempt."), Text::tr("Another examiner marks and releases it. Nothing was changed.")};
+  }
   if (f.where == "withheld") {
     return {Text::tr("This result is not released yet."), Text::tr("It is shown here when your examiner releases it.")};
   }

@@ -317,6 +317,17 @@ TEST_F(Candidates, AreReleasedThoughAnotherDeskReleasedOrConfirmedSomeMeanwhile)
   EXPECT_TRUE(page.message().startsWith(QStringLiteral("2 results released."))) << page.message().toStdString();
 }
 
+TEST_F(Candidates, WhoBecameExaminersReleaseTheOthersAndNotThemselves) {
+  const SessionId third = sit(ida, 90);
+  ASSERT_TRUE(records.store().accounts.set_password(records.administrator().actor(), ida.id, {}, "correct horse"));
+  ASSERT_TRUE(records.store().accounts.set_role(records.administrator().actor(), ida.id, Role::instructor));
+  AssessmentPage page(records.store(), {ida.id, Role::instructor}, assignment.id, ports);
+  page.release_all();
+  EXPECT_TRUE(asked.contains(QStringLiteral("1 result"))) << asked.toStdString();
+  EXPECT_TRUE(released(passed));
+  EXPECT_FALSE(released(third));
+}
+
 TEST_F(Candidates, StayChosenWhenAnotherAttemptComesAboveThem) {
   AssessmentPage page(records.store(), examiner, assignment.id, ports);
   page.show();

@@ -71,5 +71,16 @@ TEST_F(KeptMarking, HasTheRemarkThatIsToBeTakenBack) {
   EXPECT_EQ(remarks->currentData(), chosen);
 }
 
+TEST_F(KeptMarking, OffersCommentsAloneOnTheExaminersOwnAttempt) {
+  ASSERT_TRUE(records.store().accounts.set_password(records.administrator().actor(), lena.id, {}, "correct horse"));
+  ASSERT_TRUE(records.store().accounts.set_role(records.administrator().actor(), lena.id, Role::instructor));
+  examiner = *records.store().accounts.find(lena.id);
+  MarkingCard card(records.store(), examiner.actor(), gathered(), ports);
+  QStringList offered;
+  for (QPushButton* button : card.findChildren<QPushButton*>()) offered += button->text().trimmed();
+  EXPECT_TRUE(offered.contains(QStringLiteral("Add comment")));
+  for (const char* decision : {"Change points", "Confirm the result", "Release to the student"}) EXPECT_FALSE(offered.contains(QString::fromUtf8(decision)));
+}
+
 }  // namespace
 }  // namespace cusp::test
