@@ -194,7 +194,7 @@ Stored<OldTraces> old_traces(StorageContext& context, const Actor& actor, int ol
 }
 
 Stored<ThinningReport> thin_traces(StorageContext& context, const Actor& actor, const ThinningOrder& order,
-                                   const ThinningWatch& watch) {
+                                   const WorkWatch& watch) {
   const auto chosen = choose(context, actor, order.older_than_days);
   if (!chosen) return std::unexpected(chosen.error());
   const bool carry_out = order.mode == ThinningMode::carry_out;

@@ -5,12 +5,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "storage/base/rights.h"
+#include "storage/base/watch.h"
 #include "storage/records/context.h"
 #include "storage/records/verify.h"
 #include "storage/retention/clock_doubt.h"
@@ -67,13 +67,10 @@ struct ThinningReport {
   std::optional<StorageFailure> doubt{};   // of the clock: the attempts may be younger
 };
 
-/// Called before each attempt: so many of so many are done. False ends the run.
-using ThinningWatch = std::function<bool(std::size_t done, std::size_t all)>;
-
 /// Verifies each attempt, and in a dry run goes no further. Each is thinned in a transaction of its own: if the program
 /// ends, or a write fails, the recording of every other attempt is whole. Fails if nothing was thinned. Thins nothing while the clock is
-/// in doubt. Needs manage_station.
+/// in doubt. Needs manage_station. `watch`: before each attempt.
 Stored<ThinningReport> thin_traces(StorageContext& context, const Actor& actor, const ThinningOrder& order,
-                                   const ThinningWatch& watch = {});
+                                   const WorkWatch& watch = {});
 
 }  // namespace cusp::storage

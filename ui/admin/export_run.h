@@ -9,14 +9,12 @@
 #include <optional>
 
 #include "ui/admin/export_work.h"
+#include "ui/admin/work_run.h"
 #include "ui/modules.h"
-
-class QTimer;
 
 namespace cusp::ui {
 
 class Band;
-class Busy;
 
 class ExportRun : public QObject {
   Q_OBJECT
@@ -30,27 +28,24 @@ class ExportRun : public QObject {
   };
   using Outcome = Stored<std::optional<std::size_t>>;  // nullopt: stopped
   /// Starts the work, which calls `then` on its own thread.
-  using Begin = std::function<BackgroundTask(std::shared_ptr<ExportProgress> progress, std::function<void(Outcome)> then)>;
+  using Begin = std::function<BackgroundTask(std::shared_ptr<WorkProgress> progress, std::function<void(Outcome)> then)>;
 
   /// The page owns band and run. It lays busy() out.
   ExportRun(Band& band, Texts texts, QObject* page);
-  Busy* busy() const { return busy_; }
-  bool running() const { return progress_ != nullptr; }
+  Busy* busy() const { return run_->busy(); }
+  bool running() const { return run_->running(); }
   /// Does nothing while an export runs.
   void start(const QString& path, const Begin& begin);
   /// Stops before the next rows. The outcome says that nothing was written.
-  void cancel();
+  void cancel() { run_->cancel(); }
 
  private:
-  void show_progress();
   void show_outcome(const Outcome& rows);
 
   Band& band_;
   Texts texts_;
-  Busy* busy_;
-  QTimer* look_;
+  WorkRun* run_;
   QString path_;
-  std::shared_ptr<ExportProgress> progress_;  // null: none runs
   BackgroundTask task_;
 };
 

@@ -11,7 +11,7 @@
 namespace cusp::ui {
 namespace {
 
-Stored<std::optional<std::size_t>> export_to_file(StorageContext& context, const Actor& actor, const AttemptsFile& wanted, ExportProgress& progress) {
+Stored<std::optional<std::size_t>> export_to_file(StorageContext& context, const Actor& actor, const AttemptsFile& wanted, WorkProgress& progress) {
   WholeFile file(wanted.file);
   CsvPart part = CsvPart::beginning;
   const auto take = [&](std::span<const ExportRow> some, std::size_t all) -> Stored<bool> {
@@ -33,7 +33,7 @@ Stored<std::optional<std::size_t>> export_to_file(StorageContext& context, const
 }
 
 /// All entries, newest first. How many; nullopt: stopped.
-Stored<std::optional<std::size_t>> write_entries(Store& store, const Actor& actor, const LogFile& wanted, WholeFile& file, ExportProgress& progress) {
+Stored<std::optional<std::size_t>> write_entries(Store& store, const Actor& actor, const LogFile& wanted, WholeFile& file, WorkProgress& progress) {
   const NameOf name_of = [&wanted](const Uuid& id) {
     const auto found = wanted.names.find(id);
     return found == wanted.names.end() ? std::string() : found->second;
@@ -55,7 +55,7 @@ Stored<std::optional<std::size_t>> write_entries(Store& store, const Actor& acto
   return std::optional<std::size_t>{};
 }
 
-Stored<std::optional<std::size_t>> export_log_to_file(Store& store, const Actor& actor, const LogFile& wanted, ExportProgress& progress) {
+Stored<std::optional<std::size_t>> export_log_to_file(Store& store, const Actor& actor, const LogFile& wanted, WorkProgress& progress) {
   WholeFile file(wanted.file);
   const auto entries = write_entries(store, actor, wanted, file, progress);
   if (!entries || !*entries) return entries;
@@ -71,7 +71,7 @@ Stored<std::optional<std::size_t>> export_log_to_file(Store& store, const Actor&
 
 }  // namespace
 
-BackgroundTask export_in_background(RecordsBeside records, const Actor& actor, AttemptsFile wanted, std::shared_ptr<ExportProgress> progress,
+BackgroundTask export_in_background(RecordsBeside records, const Actor& actor, AttemptsFile wanted, std::shared_ptr<WorkProgress> progress,
                                     std::function<void(Stored<std::optional<std::size_t>>)> then) {
   return BackgroundTask([records = std::move(records), actor, wanted = std::move(wanted), progress = std::move(progress), then = std::move(then)] {
     const auto store = open_beside(records);
@@ -80,7 +80,7 @@ BackgroundTask export_in_background(RecordsBeside records, const Actor& actor, A
   });
 }
 
-BackgroundTask export_log_in_background(RecordsBeside records, const Actor& actor, LogFile wanted, std::shared_ptr<ExportProgress> progress,
+BackgroundTask export_log_in_background(RecordsBeside records, const Actor& actor, LogFile wanted, std::shared_ptr<WorkProgress> progress,
                                         std::function<void(Stored<std::optional<std::size_t>>)> then) {
   return BackgroundTask([records = std::move(records), actor, wanted = std::move(wanted), progress = std::move(progress), then = std::move(then)] {
     const auto store = open_beside(records);

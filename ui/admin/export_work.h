@@ -1,7 +1,6 @@
 /// Attempts, or the audit log, as a CSV file, on a thread of its own with a store of its own (storage/export/csv.h).
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -12,17 +11,12 @@
 
 #include "storage/export/csv.h"
 #include "storage/repositories/audit_log.h"
+#include "ui/admin/work_run.h"
 #include "ui/modules.h"
 #include "ui/session/background_task.h"
 #include "ui/session/records_task.h"
 
 namespace cusp::ui {
-
-/// How far an export has come, written by the task; `stop`, written by the window, ends it before the next rows.
-struct ExportProgress {
-  std::atomic<std::size_t> done{0}, all{0};
-  std::atomic<bool> stop{false};
-};
 
 struct AttemptsFile {
   std::filesystem::path file;
@@ -33,7 +27,7 @@ struct AttemptsFile {
 /// export_rows() to a WholeFile (scenarios/import/whole_file.h): what was there before stays unless all rows are written. How many;
 /// nullopt: stopped. `then` is called on the task's thread. The entry in the audit log comes once the file is written and before it
 /// has its name: none of a file that failed, and no file without one.
-BackgroundTask export_in_background(RecordsBeside records, const Actor& actor, AttemptsFile wanted, std::shared_ptr<ExportProgress> progress,
+BackgroundTask export_in_background(RecordsBeside records, const Actor& actor, AttemptsFile wanted, std::shared_ptr<WorkProgress> progress,
                                     std::function<void(Stored<std::optional<std::size_t>>)> then);
 
 struct LogFile {
@@ -45,7 +39,7 @@ inline constexpr int kLogEntriesAtOnce = 5'000;  // read before the next look at
 
 /// The same of the audit log, with an entry about it; without one if the records are read-only. `done` and `all`
 /// count every entry that was looked through, those that the filter leaves out too.
-BackgroundTask export_log_in_background(RecordsBeside records, const Actor& actor, LogFile wanted, std::shared_ptr<ExportProgress> progress,
+BackgroundTask export_log_in_background(RecordsBeside records, const Actor& actor, LogFile wanted, std::shared_ptr<WorkProgress> progress,
                                         std::function<void(Stored<std::optional<std::size_t>>)> then);
 
 }  // namespace cusp::ui

@@ -36,7 +36,7 @@ void LogPage::export_to(const QString& path, const AuditFilter& shown) {
   read_names();
   LogFile wanted{path.toStdString(), shown, {}};
   for (const auto& [id, name] : names_) wanted.names[id] = name.toStdString();
-  export_->start(path, [this, &wanted](std::shared_ptr<ExportProgress> progress, std::function<void(ExportRun::Outcome)> then) {
+  export_->start(path, [this, &wanted](std::shared_ptr<WorkProgress> progress, std::function<void(ExportRun::Outcome)> then) {
     return export_log_in_background(records_of(store_), actor_, std::move(wanted), std::move(progress), std::move(then));
   });
 }

@@ -43,7 +43,7 @@ void Performance::export_csv() {
 
 void Performance::export_to(const QString& path, const HistoryFilter& shown) {
   const CsvOptions options{.byte_order_mark = true, .language = current_language().toStdString()};
-  export_->start(path, [&](std::shared_ptr<ExportProgress> progress, std::function<void(ExportRun::Outcome)> then) {
+  export_->start(path, [&](std::shared_ptr<WorkProgress> progress, std::function<void(ExportRun::Outcome)> then) {
     return export_in_background(records_of(store_), reader_, {path.toStdString(), shown, options}, std::move(progress), std::move(then));
   });
 }

@@ -2,9 +2,7 @@
 
 #include <QBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
-#include <QTimer>
 
 #include "ui/admin/on_window.h"
 #include "ui/text/failure_text.h"
@@ -16,7 +14,6 @@
 namespace cusp::ui {
 
 namespace {
-constexpr int kLookAtThinningMs = 100;
 
 /// How many stay and why; the first attempt that does not verify by its id.
 QString left_text(const ThinningReport& report) {
@@ -28,7 +25,7 @@ QString left_text(const ThinningReport& report) {
 }  // namespace
 
 RecordingsCard::RecordingsCard(RecordsBeside records, const Actor& actor, const Ports& ports, QWidget* parent)
-    : Card(tr("Recordings of practice"), {}, parent), records_(std::move(records)), actor_(actor), ports_(ports) {
+    : Card(tr("Recordings of practice"), {}, parent), records_(std::move(records)), actor_(actor), ports_(ports), run_(new WorkRun(this)) {
   found_ = make_label({});
   found_->setWordWrap(true);
   body()->addWidget(found_);
@@ -47,14 +44,9 @@ RecordingsCard::RecordingsCard(RecordsBeside records, const Actor& actor, const 
   row->addWidget(labelled(tr("Ended so many days ago, or more"), days_), 1);
   row->addWidget(thin_, 0, Qt::AlignBottom);
   body()->addLayout(row);
-  busy_ = new Busy;
-  busy_->hide();
-  body()->addWidget(busy_);
-  look_ = new QTimer(this);
-  connect(look_, &QTimer::timeout, this, &RecordingsCard::show_progress);
+  body()->addWidget(run_->busy());
   connect(days_, &QDoubleSpinBox::valueChanged, this, &RecordingsCard::count);
   connect(thin_, &QPushButton::clicked, this, &RecordingsCard::thin);
-  connect(busy_, &Busy::cancelled, this, &RecordingsCard::cancel);
   count();
 }
 
@@ -85,36 +77,22 @@ void RecordingsCard::show_count(const Stored<OldTraces>& old) {
 }
 
 void RecordingsCard::begin(ThinningMode mode, ClockTrust trust) {
-  progress_ = std::make_shared<ThinningProgress>();
   for (QWidget* part : {static_cast<QWidget*>(thin_), static_cast<QWidget*>(days_)}) part->setEnabled(false);
-  busy_->start(mode == ThinningMode::dry_run ? tr("Verifying the attempts") : tr("Thinning recordings"), Busy::Cancel::offered);
-  look_->start(kLookAtThinningMs);
+  auto progress = run_->start(mode == ThinningMode::dry_run ? tr("Verifying the attempts") : tr("Thinning recordings"),
+                              [](std::size_t done, std::size_t all) { return tr("%1 of %2 attempts").arg(count_text(done), count_text(all)); });
   auto then = mode == ThinningMode::dry_run ? on_window<Stored<ThinningReport>>(this, &RecordingsCard::ask_first)
                                             : on_window<Stored<ThinningReport>>(this, &RecordingsCard::show_thinned);
-  task_ = thin_in_background(records_, actor_, {days(), mode, trust}, progress_, std::move(then));
+  task_ = thin_in_background(records_, actor_, {days(), mode, trust}, std::move(progress), std::move(then));
 }
 
 void RecordingsCard::end() {
-  progress_.reset();
-  look_->stop();
-  busy_->finish();
+  run_->finish();
   days_->setEnabled(true);
   thin_->setEnabled(true);
 }
 
-void RecordingsCard::show_progress() {
-  if (!working() || progress_->all == 0) return;
-  const std::size_t done = progress_->done, all = progress_->all;
-  busy_->set_progress(static_cast<double>(done) / static_cast<double>(all),
-                      tr("%1 of %2 attempts").arg(QLocale().toString(static_cast<qulonglong>(done)), QLocale().toString(static_cast<qulonglong>(all))));
-}
-
 void RecordingsCard::thin() {
   if (!working()) begin(ThinningMode::dry_run);
-}
-
-void RecordingsCard::cancel() {
-  if (working()) progress_->stop = true;
 }
 
 void RecordingsCard::ask_first(const Stored<ThinningReport>& would) {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "ui/admin/thin_work.h"
+#include "ui/admin/work_run.h"
 #include "ui/session/records_task.h"
 #include "ui/widgets/at_work.h"
 #include "ui/widgets/parts.h"
@@ -13,11 +14,9 @@
 
 class QLabel;
 class QPushButton;
-class QTimer;
 
 namespace cusp::ui {
 
-class Busy;
 class NumberField;
 
 class RecordingsCard : public Card, public AtWork {
@@ -26,7 +25,7 @@ class RecordingsCard : public Card, public AtWork {
  public:
   /// The ports outlive the card.
   RecordingsCard(RecordsBeside records, const Actor& actor, const Ports& ports, QWidget* parent = nullptr);
-  bool working() const override { return progress_ != nullptr; }
+  bool working() const override { return run_->running(); }
   /// "3 recordings, 34.1 MB"; empty while they are counted.
   QString found() const;
   void choose_days(int days);
@@ -34,7 +33,7 @@ class RecordingsCard : public Card, public AtWork {
  public Q_SLOTS:
   /// Verifies each of them, then asks.
   void thin();
-  void cancel();
+  void cancel() { run_->cancel(); }
 
  Q_SIGNALS:
   void reported(cusp::ui::Band::Kind kind, const QString& what, const QString& more);
@@ -45,7 +44,6 @@ class RecordingsCard : public Card, public AtWork {
   void show_count(const Stored<OldTraces>& old);
   void begin(ThinningMode mode, ClockTrust trust = ClockTrust::checked);
   void end();
-  void show_progress();
   void ask_first(const Stored<ThinningReport>& would);
   void show_thinned(const Stored<ThinningReport>& report);
   void report_failure(const StorageFailure& failure);
@@ -54,12 +52,10 @@ class RecordingsCard : public Card, public AtWork {
   Actor actor_;
   const Ports& ports_;
   BackgroundTask counting_, task_;
-  std::shared_ptr<ThinningProgress> progress_;  // of a run; null: none runs
+  WorkRun* run_;
   QLabel* found_ = nullptr;
   NumberField* days_ = nullptr;
   QPushButton* thin_ = nullptr;
-  Busy* busy_ = nullptr;
-  QTimer* look_ = nullptr;
 };
 
 }  // namespace cusp::ui

@@ -13,16 +13,12 @@ BackgroundTask look_for_old_traces(RecordsBeside records, const Actor& actor, in
 }
 
 BackgroundTask thin_in_background(RecordsBeside records, const Actor& actor, const ThinningOrder& order,
-                                  std::shared_ptr<ThinningProgress> progress, std::function<void(Stored<ThinningReport>)> then) {
-  return BackgroundTask([records = std::move(records), actor, order, progress = std::move(progress), then = std::move(then)] {
+                                  std::shared_ptr<WorkProgress> progress, std::function<void(Stored<ThinningReport>)> then) {
+  return BackgroundTask([records = std::move(records), actor, order, watch = watch_of(std::move(progress)), then = std::move(then)] {
     const bool reads = order.mode == ThinningMode::dry_run;
     const auto store = open_beside(reads ? records.for_reading() : records);
     if (!store) return then(std::unexpected(store.error()));
-    then(thin_traces((*store)->context(), actor, order, [&progress](std::size_t done, std::size_t all) {
-      progress->all = all;
-      progress->done = done;
-      return !progress->stop;
-    }));
+    then(thin_traces((*store)->context(), actor, order, watch));
   });
 }
 

@@ -237,7 +237,7 @@ TEST_F(LogPages, ACancelledExportLeavesTheFileThatWasThereAndNoEntry) {
   old.close();
   const auto shown = page();
   const QString newest = cell(*shown, 0, LogModel::kWhat);
-  const auto progress = std::make_shared<ExportProgress>();
+  const auto progress = std::make_shared<WorkProgress>();
   progress->stop = true;
   std::promise<Stored<std::optional<std::size_t>>> promise;
   const BackgroundTask task = export_log_in_background(records_of(records.store()), admin.actor(), {file.toStdString(), {}, {}}, progress,

@@ -233,7 +233,7 @@ TEST_F(AdminPages, a_cancelled_export_leaves_the_file_that_was_there_and_no_othe
   ASSERT_TRUE(before.open(QIODevice::WriteOnly));
   before.write("before");
   before.close();
-  const auto progress = std::make_shared<ExportProgress>();
+  const auto progress = std::make_shared<WorkProgress>();
   progress->stop = true;
   std::atomic<bool> stopped{false};
   const BackgroundTask task = export_in_background(records_of(records.store()), records.administrator().actor(), {file.toStdString(), {}, {}}, progress,

@@ -268,7 +268,7 @@ TEST_F(OldStation, AsksNothingIfNoOldRecordingVerifies) {
 }
 
 TEST_F(OldStation, StopsThinningBeforeTheNextAttempt) {
-  const auto progress = std::make_shared<ThinningProgress>();
+  const auto progress = std::make_shared<WorkProgress>();
   progress->stop = true;
   std::promise<Stored<ThinningReport>> promise;
   const auto task = thin_in_background(records_of(records.store()), admin.actor(), {5000, ThinningMode::carry_out}, progress,
