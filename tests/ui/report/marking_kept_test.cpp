@@ -8,7 +8,7 @@
 
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
-#include "tests/ui/desk_records.h"
+#include "tests/ui/report/sample_report.h"
 #include "ui/report/marking_card.h"
 #include "ui/widgets/number_field.h"
 
@@ -16,14 +16,7 @@ namespace cusp::test {
 namespace {
 
 struct KeptMarking : ::testing::Test {
-  ReportData gathered() {
-    SessionResult result;
-    result.session = session;
-    result.scenario = *load_builtin("channel-1");
-    result.grade = (*records.store().grades.newest(session))->grade;
-    const Actor reader = examiner.actor();
-    return gather_report(result, &records.store(), &reader);
-  }
+  ReportData gathered() { return report_of(records, session, examiner); }
   static const CriterionGrade& lost_points(const ReportData& data) {
     return *std::ranges::find_if(data.result.grade.criteria, [](const CriterionGrade& c) { return c.points < c.points_max; });
   }

@@ -34,14 +34,7 @@ class Marking : public testing::Test {
     examiner = *records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
     session = records.attempt(lena, "channel-1", 66, 90);
   }
-  ReportData gathered(const Account& reader) {
-    SessionResult result;
-    result.session = session;
-    result.scenario = *load_builtin("channel-1");
-    result.grade = (*records.store().grades.newest(session))->grade;
-    const Actor actor = reader.actor();
-    return gather_report(result, &records.store(), &actor);
-  }
+  ReportData gathered(const Account& reader) { return report_of(records, session, reader); }
   static QPushButton* button(QWidget& in, const char* text) {
     for (QPushButton* b : in.findChildren<QPushButton*>())
       if (b->text().trimmed() == QString::fromUtf8(text)) return b;

@@ -32,14 +32,7 @@ struct OlderPoints : ::testing::Test {
     grade.evaluator = "2";
     session = records.graded_attempt(lena, "channel-1", grade, 90);
   }
-  ReportData gathered() {
-    SessionResult result;
-    result.session = session;
-    result.scenario = *load_builtin("channel-1");
-    result.grade = (*records.store().grades.newest(session))->grade;
-    const Actor reader = examiner.actor();
-    return gather_report(result, &records.store(), &reader);
-  }
+  ReportData gathered() { return report_of(records, session, examiner); }
   /// Of depth_most, as the table of criteria shows them.
   static QString in_table(const ReportData& data) {
     const CriteriaModel model(data.result.grade, data.result.scenario, data.changes);

@@ -1,4 +1,4 @@
-/// A report of a channel in a block, and a tooth that could not be drawn.
+/// Reports of a channel in a block, made up and of records, and a tooth that could not be drawn.
 #pragma once
 
 #include "scenarios/library/library.h"
@@ -21,6 +21,16 @@ inline ReportData sample(double score = 81) {
   data.attempt = 7;
   data.peak_push_n = 2.1;
   return data;
+}
+
+/// Of a graded attempt at channel-1, as the reader sees it.
+inline ReportData report_of(DeskRecords& records, SessionId session, const Account& reader) {
+  SessionResult result;
+  result.session = session;
+  result.scenario = *load_builtin("channel-1");
+  result.grade = (*records.store().grades.newest(session))->grade;
+  const Actor actor = reader.actor();
+  return gather_report(result, &records.store(), &actor);
 }
 
 inline DrawnTooth no_picture() { return fail(PictureError::no_opengl, "EGL", "eglMakeCurrent 0x3002"); }
