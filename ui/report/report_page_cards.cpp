@@ -39,6 +39,7 @@ QWidget* ReportPage::make_remarks() {
     line->addWidget(label, 1);
     if (remark.place_mm) {
       QPushButton* place = make_button(tr("Show the place"), ButtonKind::quiet, u"eye"_qs);
+      place->setAccessibleDescription(remark.text.isEmpty() ? remark.what : remark.text);  // the buttons have one name
       connect(place, &QPushButton::clicked, this, [this, remark] { tooth_->pin(remark.place_mm, remark.who, remark.text); });
       line->addWidget(place, 0, Qt::AlignTop);
     }

@@ -361,7 +361,9 @@ TEST_F(Marking, TheKeyboardFollowsReadingBeforeAndAfterAStatement) {
   with_place.remarks.push_back({Uuid::v7(), QStringLiteral("Dr Berg"), with_place.when, {}, QStringLiteral("Here."), Vec3(0.0)});
   page.show_data(with_place);
   EXPECT_EQ(page.focusProxy(), page.table());
-  EXPECT_LT(place(button(page, "Show the place")), place(fold));
+  const QPushButton* shown = button(page, "Show the place");
+  EXPECT_EQ(shown->accessibleDescription(), QStringLiteral("Here.")) << "of several remarks each";
+  EXPECT_LT(place(shown), place(fold));
   EXPECT_LT(place(fold), place(page.table()));
 }
 
