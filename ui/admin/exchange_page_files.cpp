@@ -37,16 +37,17 @@ bool asks_for_key(const ExchangeLook& look) {
 
 ExchangeWork ExchangePage::begin(const QString& what, const QString& file, WorkRun::Counted counted) {
   band_->clear();
+  auto progress = run_->start(what, std::move(counted));
   for (QWidget* part : {static_cast<QWidget*>(read_), static_cast<QWidget*>(main_), static_cast<QWidget*>(results_), static_cast<QWidget*>(office_)}) {
     part->setEnabled(false);
   }
-  return {records_of(store_), file.toStdString(), actor_, run_->start(what, std::move(counted))};
+  return {records_of(store_), file.toStdString(), actor_, std::move(progress)};
 }
 
 void ExchangePage::end() {
-  run_->finish();
   for (QWidget* part : {static_cast<QWidget*>(main_), static_cast<QWidget*>(results_), static_cast<QWidget*>(office_)}) part->setEnabled(true);
   read_->setEnabled(step_ == Step::stations);
+  run_->finish();
 }
 
 void ExchangePage::give_out_results() { give_out_to(ExchangeKind::results); }

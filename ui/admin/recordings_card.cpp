@@ -77,18 +77,18 @@ void RecordingsCard::show_count(const Stored<OldTraces>& old) {
 }
 
 void RecordingsCard::begin(ThinningMode mode, ClockTrust trust) {
-  for (QWidget* part : {static_cast<QWidget*>(thin_), static_cast<QWidget*>(days_)}) part->setEnabled(false);
   auto progress = run_->start(mode == ThinningMode::dry_run ? tr("Verifying the attempts") : tr("Thinning recordings"),
                               [](std::size_t done, std::size_t all) { return tr("%1 of %2 attempts").arg(count_text(done), count_text(all)); });
+  for (QWidget* part : {static_cast<QWidget*>(thin_), static_cast<QWidget*>(days_)}) part->setEnabled(false);
   auto then = mode == ThinningMode::dry_run ? on_window<Stored<ThinningReport>>(this, &RecordingsCard::ask_first)
                                             : on_window<Stored<ThinningReport>>(this, &RecordingsCard::show_thinned);
   task_ = thin_in_background(records_, actor_, {days(), mode, trust}, std::move(progress), std::move(then));
 }
 
 void RecordingsCard::end() {
-  run_->finish();
   days_->setEnabled(true);
   thin_->setEnabled(true);
+  run_->finish();
 }
 
 void RecordingsCard::thin() {

@@ -145,14 +145,15 @@ void StationPage::show_backups() {
 }
 
 std::shared_ptr<WorkProgress> StationPage::begin(const QString& what, WorkRun::Counted counted) {
+  auto progress = run_->start(what, std::move(counted));
   // The pressed button stays enabled, as with ButtonWait: a disabled one hands the focus on to a field.
   for (QPushButton* button : {back_up_, choose_, verify_}) button->setEnabled(button == window()->focusWidget());
-  return run_->start(what, std::move(counted));
+  return progress;
 }
 
 void StationPage::end() {
-  run_->finish();
   for (QPushButton* button : {back_up_, choose_, verify_}) button->setEnabled(true);
+  run_->finish();
 }
 
 void StationPage::back_up() {

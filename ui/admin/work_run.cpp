@@ -30,16 +30,24 @@ WorkRun::WorkRun(QObject* page) : QObject(page), busy_(new Busy), timer_(new QTi
 std::shared_ptr<WorkProgress> WorkRun::start(const QString& title, Counted counted) {
   counted_ = std::move(counted);
   progress_ = std::make_shared<WorkProgress>();
+  pressed_ = focused();
+  handed_to_ = nullptr;
+  QTimer::singleShot(0, this, [this] { handed_to_ = focused(); });
   busy_->start(title, Busy::Cancel::offered);
   timer_->start(kReadProgressMs);
   return progress_;
 }
 
 void WorkRun::finish() {
+  const QWidget* now = focused();
+  const bool lost = now != pressed_ && (now == nullptr || now == handed_to_ || busy_->isAncestorOf(now));
   progress_.reset();
   timer_->stop();
   busy_->finish();
+  if (lost && pressed_) pressed_->setFocus(Qt::OtherFocusReason);
 }
+
+QWidget* WorkRun::focused() const { return busy_->window()->focusWidget(); }
 
 void WorkRun::cancel() {
   if (running()) progress_->stop = true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <QString>
 #include <atomic>
 #include <cstddef>
@@ -12,6 +13,7 @@
 #include "ui/modules.h"
 
 class QTimer;
+class QWidget;
 
 namespace cusp::ui {
 
@@ -36,19 +38,22 @@ class WorkRun : public QObject {
   explicit WorkRun(QObject* page);
   Busy* busy() const { return busy_; }
   bool running() const { return progress_ != nullptr; }
-  /// The task writes to what it returns. Pre: none runs.
+  /// The task writes to what it returns. Comes before the page disables anything. Pre: none runs.
   std::shared_ptr<WorkProgress> start(const QString& title, Counted counted);
+  /// Gives the focus back that a disabled button or Cancel has handed on. Comes once the page has enabled its parts.
   void finish();
   /// Stops the work before its next step. Its outcome shows whether it was over before.
   void cancel();
 
  private:
   void show_progress();
+  QWidget* focused() const;
 
   Busy* busy_;
   QTimer* timer_;
   Counted counted_;
   std::shared_ptr<WorkProgress> progress_;  // null: none runs
+  QPointer<QWidget> pressed_, handed_to_;   // what had the focus before, and what got it when that was disabled
 };
 
 }  // namespace cusp::ui

@@ -3,9 +3,11 @@
 
 #include <QBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QTest>
 #include <QWidget>
 #include <algorithm>
+#include <functional>
 
 #include "tests/modules.h"
 #include "ui/admin/work_run.h"
@@ -52,6 +54,44 @@ TEST_F(WorkRunTest, CancelStopsItBeforeItsNextStepAndNotTheNextWork) {
   EXPECT_TRUE(run->running()) << "until its outcome is there";
   run->finish();
   EXPECT_TRUE(start()(0, 3));
+}
+
+/// Begins by a button that is off while the work runs, and lets somebody move the focus meanwhile.
+class FocusOfWork : public WorkRunTest {
+ protected:
+  FocusOfWork() {
+    for (QPushButton* button : {begin, other, third}) page.layout()->addWidget(button);
+    page.show();
+    begin->setFocus();
+  }
+  QWidget* after_work(const std::function<void()>& meanwhile) {
+    start();
+    begin->setEnabled(false);
+    EXPECT_NE(page.focusWidget(), begin);
+    QCoreApplication::processEvents();
+    meanwhile();
+    begin->setEnabled(true);
+    run->finish();
+    return page.focusWidget();
+  }
+  QPushButton *begin = new QPushButton, *other = new QPushButton, *third = new QPushButton;
+};
+
+TEST_F(FocusOfWork, IsGivenBackToTheButtonThatLostIt) {
+  EXPECT_EQ(after_work([] {}), begin);
+}
+
+TEST_F(FocusOfWork, IsGivenBackAfterCancel) {
+  EXPECT_EQ(after_work([&] {
+              run->busy()->show();
+              run->busy()->findChild<QPushButton*>()->setFocus();
+            }),
+            begin);
+}
+
+TEST_F(FocusOfWork, StaysWhereSomebodyPutIt) {
+  ASSERT_NE(page.focusWidget(), third);
+  EXPECT_EQ(after_work([&] { third->setFocus(); }), third);
 }
 
 TEST_F(WorkRunTest, WithoutProgressNobodyIsAsked) { EXPECT_FALSE(static_cast<bool>(watch_of({}))); }
