@@ -112,6 +112,7 @@ void Desktop::show_handed_in(const SessionId& session) {
 void Desktop::gather(const std::shared_ptr<const SessionResult>& result, QWidget* shown, std::function<void(ReportData gathered)> then) {
   gathering_ = with_own_store(*store_, [this, number = ++gathered_, result, reader = account_->actor(), shown = QPointer(shown), then = std::move(then)](OwnStore own) {
     auto gathered = std::make_shared<ReportData>(gather_report(*result, own ? own->get() : nullptr, &reader));
+    if (!own) gathered->unread = own.error();
     QMetaObject::invokeMethod(
         qApp,
         [this, number, shown, then, gathered] {

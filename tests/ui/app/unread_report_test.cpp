@@ -1,0 +1,49 @@
+// The report of an attempt whose records do not open a second time.
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <filesystem>
+
+#include "scenarios/library/library.h"
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/app/desktop.h"
+#include "ui/report/report_page.h"
+
+namespace cusp::test {
+namespace {
+
+constexpr int kReportMs = 60'000;  // waits for progress, never decides
+
+TEST(UnreadReport, NamesWhyTheRecordsDoNotOpenAndDeniesNoAttempt) {
+  DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt");
+  auto result = std::make_shared<SessionResult>();
+  result->session = records.attempt(lena, "channel-1", 66, 90);
+  result->scenario = *load_builtin("channel-1");
+  result->grade = (*records.store().grades.newest(result->session))->grade;
+  const QTemporaryDir folder;
+  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
+  Ports ports = Ports::of_the_system();
+  Desktop desktop(settings, ports, records.file());
+  desktop.start();
+  desktop.show();
+  desktop.sign_in(lena);
+
+  const std::filesystem::path file = records.file();
+  const std::filesystem::path aside = file.string() + ".aside";
+  std::filesystem::rename(file, aside);
+  std::filesystem::create_directory(file);
+  desktop.end_attempt(result, std::nullopt);
+  const auto report = [&] { return desktop.findChild<ReportPage*>(); };
+  EXPECT_TRUE(QTest::qWaitFor([&] { return report() != nullptr; }, kReportMs));
+  std::filesystem::remove(file);
+  std::filesystem::rename(aside, file);
+  ASSERT_NE(report(), nullptr);
+  EXPECT_TRUE(report()->data().unread);
+  EXPECT_FALSE(occasion_text(report()->data(), Medium::screen).contains(QStringLiteral("Nothing of this attempt is kept")));
+}
+
+}  // namespace
+}  // namespace cusp::test
