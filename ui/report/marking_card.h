@@ -1,5 +1,6 @@
 /// Marks one attempt: comments, points that count instead, critical events that do not count, confirmation, release, and
-/// taking each of them back. Of the reader's own attempt comments alone. In a low window it begins as one line. Every act is a statement in the records. Thread: GUI.
+/// taking each of them back. The reader's own attempt takes comments alone. In a low window it begins as one line. Every act is a
+/// statement in the records. Thread: GUI.
 #pragma once
 
 #include <functional>
