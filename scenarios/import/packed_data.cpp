@@ -65,6 +65,24 @@ struct PackedSource::Packed {
   z_stream z{};
   std::array<unsigned char, kBlock> in;
   bool ended = false;
+
+  /// Takes the next bytes of the file once all before are used; avail_in stays 0 at its end.
+  Result<void, ImportError> refill(std::istream& from) {
+    if (z.avail_in > 0) return {};
+    from.read(reinterpret_cast<char*>(in.data()), kBlock);
+    if (from.bad()) return std::unexpected(ImportError::io);
+    z.next_in = in.data();
+    z.avail_in = static_cast<uInt>(from.gcount());
+    return {};
+  }
+
+  /// gzip joins streams one behind the other to one (RFC 1952, 2.2); other bytes behind a stream are no part of it.
+  Result<void, ImportError> end_stream(std::istream& from) {
+    constexpr unsigned char first_of_gzip = 0x1f;
+    if (auto r = refill(from); !r) return r;
+    ended = z.avail_in == 0 || z.next_in[0] != first_of_gzip || inflateReset2(&z, kGzip) != Z_OK;
+    return {};
+  }
 };
 
 PackedSource::PackedSource(std::istream& in, Packing packing) : in_(in) {
@@ -88,16 +106,14 @@ Result<void, ImportError> PackedSource::read(std::span<std::byte> out) {
   z.avail_out = static_cast<uInt>(out.size());
   while (z.avail_out > 0) {
     if (packed_->ended) return std::unexpected(ImportError::truncated);
-    if (z.avail_in == 0) {
-      in_.read(reinterpret_cast<char*>(packed_->in.data()), kBlock);
-      if (in_.bad()) return std::unexpected(ImportError::io);
-      z.next_in = packed_->in.data();
-      z.avail_in = static_cast<uInt>(in_.gcount());
-      if (z.avail_in == 0) return std::unexpected(ImportError::truncated);
-    }
+    if (auto r = packed_->refill(in_); !r) return r;
+    if (z.avail_in == 0) return std::unexpected(ImportError::truncated);
     const int status = inflate(&z, Z_NO_FLUSH);
-    if (status == Z_STREAM_END) packed_->ended = true;
-    else if (status != Z_OK && status != Z_BUF_ERROR) return std::unexpected(ImportError::corrupt);
+    if (status == Z_STREAM_END) {
+      if (auto r = packed_->end_stream(in_); !r) return r;
+    } else if (status != Z_OK && status != Z_BUF_ERROR) {
+      return std::unexpected(ImportError::corrupt);
+    }
   }
   return {};
 }

@@ -22,7 +22,8 @@ namespace cusp::scenarios {
 /// Lines of a NRRD header up to the blank one, which is taken from the stream too.
 [[nodiscard]] Result<std::string, ImportFailure> read_nrrd_text(std::istream& in, const std::string& name);
 
-enum class Packing : std::uint8_t { raw, deflate };  // deflate: gzip or zlib, whichever the bytes show
+/// deflate: gzip or zlib, whichever the bytes show; streams of gzip one behind the other are one.
+enum class Packing : std::uint8_t { raw, deflate };
 
 /// Sizes in bytes.
 struct DataSize {

@@ -123,6 +123,19 @@ TEST(NrrdImage, SpacingsOfNoLengthAreRefused) {
   }
 }
 
+TEST(NrrdImage, OfAFileThatWasPackedInPartsAllPartsAreRead) {
+  const std::string head = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: gzip\nspacings: 0.5 0.5 0.5\n\n";
+  const std::string parts = gzip_stored("\1\2\3") + gzip_stored("") + gzip_stored("\4\5\6\7\10");
+  const auto image = nrrd(head + parts);
+  ASSERT_TRUE(image) << key_of(image.error().code) << image.error().where;
+  EXPECT_EQ(at(*image, 0, 0, 0), 1.0f);
+  EXPECT_EQ(at(*image, 1, 1, 1), 8.0f);
+  EXPECT_TRUE(nrrd(head + parts + "notes")) << "no part of the packed data";
+  const auto longer = nrrd(head + parts + gzip_stored("\11"));
+  ASSERT_FALSE(longer);
+  EXPECT_EQ(longer.error().code, ImportError::corrupt);
+}
+
 TEST(NrrdImage, GreyFloatsAnisotropicAndLpsAreRead) {
   std::string data;
   for (int i = 0; i < 8; ++i) {
