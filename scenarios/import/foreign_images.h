@@ -8,8 +8,8 @@
 
 namespace cusp::scenarios {
 
-/// NIfTI-1, .nii, .nii.gz and .hdr with .img, by niftilib (nifti_niftilib.cpp). Its world is right-anterior-superior as
-/// the specimen's: sform, else qform, else the spacings alone. Scaled by scl_slope and scl_inter.
+/// NIfTI-1, .nii, .nii.gz and .hdr with .img; niftilib reads the header (nifti_niftilib.cpp). Its world is
+/// right-anterior-superior as the specimen's: sform, else qform, else the spacings alone. Scaled by scl_slope and scl_inter.
 [[nodiscard]] Result<Image, ImportFailure> read_nifti(const std::filesystem::path& file, const VolumeLimits& limits,
                                                       const ImportProgress& progress = {});
 

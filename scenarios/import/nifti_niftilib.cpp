@@ -2,13 +2,17 @@
 #include <nifti/nifti1_io.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <system_error>
+#include <vector>
 
 #include "scenarios/import/foreign_images.h"
 #include "scenarios/import/limit_figures.h"
+#include "scenarios/import/packed_data.h"
 #include "scenarios/import/samples.h"
 
 namespace cusp::scenarios {
@@ -101,16 +105,70 @@ Pose pose_of(const std::filesystem::path& file, const nifti_image& n) {
   return out;
 }
 
-/// Whether the data file can hold what the header promises.
-bool long_enough(const nifti_image& n, std::uintmax_t needed) {
-  std::error_code ec;
-  const std::filesystem::path file = n.iname ? n.iname : "";
-  const std::uintmax_t bytes = std::filesystem::file_size(file, ec);
-  if (ec || n.iname_offset < 0) return false;
-  constexpr std::uintmax_t best_packing = 1032;
-  if (nifti_is_gzfile(n.iname)) return needed <= bytes * best_packing;
-  const auto offset = static_cast<std::uintmax_t>(n.iname_offset);
-  return bytes >= offset && needed <= bytes - offset;
+/// Whether voxels follow that are one number each, and how each is stored.
+Result<Stored, ImportFailure> stored_in(const nifti_image& n, const std::string& name) {
+  if (n.ndim < 2 || n.ndim > 7 || n.nx < 1 || n.ny < 1 || n.nz < 1) return fail(ImportError::bad_sizes, name + " dim");
+  for (const int more : {n.nt, n.nu, n.nv, n.nw}) {
+    if (more > 1) return fail(ImportError::unsupported, name + " dim");
+  }
+  const int least_offset = n.nifti_type == NIFTI_FTYPE_NIFTI1_1 ? kLeastOffset : 0;
+  if (n.iname_offset < least_offset) return fail(ImportError::bad_header, name + " vox_offset");
+  auto stored = stored_as(n.datatype);
+  if (!stored) return fail(ImportError::unsupported, name + " datatype");
+  if (n.nbyper != stored->format.bytes * stored->channels) return fail(ImportError::bad_header, name + " bitpix");
+  const bool turned = n.byteorder != nifti_short_order();  // from this machine's order
+  stored->format.big_endian = turned != (std::endian::native == std::endian::big);
+  return *stored;
+}
+
+/// Packed if its name and its first bytes are those of gzip: the library reads a plain file of that name as it is.
+Packing packing_of(std::istream& in, const std::filesystem::path& data) {
+  constexpr int first_of_gzip = 0x1f;
+  return nifti_is_gzfile(data.c_str()) && in.peek() == first_of_gzip ? Packing::deflate : Packing::raw;
+}
+
+Result<void, ImportError> skip(PackedSource& source, std::size_t bytes) {
+  std::vector<std::byte> block(65536);
+  for (std::size_t left = bytes; left > 0;) {
+    const std::size_t next = std::min(left, block.size());
+    if (auto r = source.read({block.data(), next}); !r) return r;
+    left -= next;
+  }
+  return {};
+}
+
+/// Fills image.value, whose layout is set. The library does not read the voxels: of files of one stem it takes v.nii in place of
+/// v.nii.gz, it waits for a pipe's other end, and it makes 0 of what is no number.
+Result<void, ImportFailure> read_voxels(const std::filesystem::path& data, const nifti_image& n, const Stored& stored, Image& image,
+                                        const ImportProgress& progress) {
+  const std::string name = data.filename().string();
+  std::ifstream in;
+  const auto bytes = open_volume_file(data, in);
+  if (!bytes) return std::unexpected(bytes.error());
+  const IVec3 size = image.layout.file_size;
+  const std::size_t voxels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
+  const auto voxel_bytes = static_cast<std::size_t>(stored.format.bytes * stored.channels);
+  const auto offset = static_cast<std::size_t>(n.iname_offset);
+  const Packing packing = packing_of(in, data);
+  if (!data_can_be_there(in, {*bytes, offset + voxels * voxel_bytes}, packing)) return fail(ImportError::truncated, name);
+  PackedSource source(in, packing);
+  if (const auto r = skip(source, offset); !r) return fail(r.error(), name);
+  image.value.resize(voxels);
+  const bool scaled = std::isfinite(n.scl_slope) && n.scl_slope != 0.0f && std::isfinite(n.scl_inter);
+  const double slope = scaled ? double{n.scl_slope} : 1.0, intercept = scaled ? double{n.scl_inter} : 0.0;
+  std::vector<std::byte> row(static_cast<std::size_t>(size.x) * voxel_bytes);
+  for (int k = 0; k < size.z; ++k) {
+    if (progress) progress(static_cast<double>(k) / size.z);
+    for (int j = 0; j < size.y; ++j) {
+      if (const auto r = source.read(row); !r) return fail(r.error(), name);
+      const std::byte* p = row.data();
+      for (int i = 0; i < size.x; ++i, p += voxel_bytes)
+        image.value[image.layout.place(i, j, k)] =
+            stored.channels > 1 ? colour_value(p, stored.channels)
+                                : static_cast<float>(sample_value(p, stored.format) * slope + intercept);
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -125,46 +183,22 @@ Result<Image, ImportFailure> read_nifti(const std::filesystem::path& file, const
   const NiftiImage nifti(nifti_image_read(file.c_str(), 0));
   if (!nifti) return fail(ImportError::bad_header, name);
   const nifti_image& n = *nifti;
-  if (n.ndim < 2 || n.ndim > 7 || n.nx < 1 || n.ny < 1 || n.nz < 1) return fail(ImportError::bad_sizes, name + " dim");
-  for (const int more : {n.nt, n.nu, n.nv, n.nw}) {
-    if (more > 1) return fail(ImportError::unsupported, name + " dim");
-  }
-  if (n.nifti_type == NIFTI_FTYPE_NIFTI1_1 && n.iname_offset < kLeastOffset) return fail(ImportError::bad_header, name + " vox_offset");
-  const auto stored = stored_as(n.datatype);
-  if (!stored) return fail(ImportError::unsupported, name + " datatype");
-  const int voxel_bytes = stored->format.bytes * stored->channels;
-  if (n.nbyper != voxel_bytes) return fail(ImportError::bad_header, name + " bitpix");
+  const auto stored = stored_in(n, name);
+  if (!stored) return std::unexpected(stored.error());
   const Pose pose = pose_of(file, n);
   const IVec3 size(n.nx, n.ny, n.nz);
   const auto layout = lay_out(size, pose.step_mm, pose.first_mm, limits);
   if (!layout) return fail(layout.error(), name, passed_file_limit(size, limits));
   const std::size_t voxels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
   if (static_cast<std::size_t>(n.nvox) != voxels) return fail(ImportError::bad_sizes, name + " dim");
-  // Of a pair it is another file than the header's.
-  const std::filesystem::path data = n.iname ? std::filesystem::path(n.iname) : file;
-  if (!std::filesystem::exists(data, ec)) return fail(ImportError::missing_file, data.filename().string());
-  const std::string data_name = data.filename().string();
-  if (!long_enough(n, voxels * static_cast<std::size_t>(voxel_bytes))) return fail(ImportError::truncated, data_name);
-  if (nifti_image_load(nifti.get()) != 0 || !n.data) return fail(ImportError::truncated, data_name);
 
   Image out;
   out.layout = *layout;
   out.spacing_known = pose.known;
   out.sides_known = pose.sides_known;
-  out.value.resize(voxels);
-  const bool scaled = std::isfinite(n.scl_slope) && n.scl_slope != 0.0f && std::isfinite(n.scl_inter);
-  const double slope = scaled ? double{n.scl_slope} : 1.0, intercept = scaled ? double{n.scl_inter} : 0.0;
-  SampleFormat format = stored->format;
-  format.big_endian = std::endian::native == std::endian::big;  // niftilib has turned the bytes round
-  const auto* p = static_cast<const std::byte*>(n.data);
-  for (int k = 0; k < size.z; ++k) {
-    if (progress) progress(static_cast<double>(k) / size.z);
-    for (int j = 0; j < size.y; ++j)
-      for (int i = 0; i < size.x; ++i, p += voxel_bytes)
-        out.value[layout->place(i, j, k)] =
-            stored->channels > 1 ? colour_value(p, stored->channels)
-                                 : static_cast<float>(sample_value(p, format) * slope + intercept);
-  }
+  // Of a pair it is another file than the header's.
+  const std::filesystem::path data = n.iname ? std::filesystem::path(n.iname) : file;
+  if (auto r = read_voxels(data, n, *stored, out, progress); !r) return std::unexpected(r.error());
   if (const auto r = tidy_values(out); !r) return fail(r.error(), name);
   out.kind = stored->channels > 1 ? ImageKind::colours : kind_of_values(out.value);
   return out;

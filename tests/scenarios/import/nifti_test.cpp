@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <bit>
 #include <limits>
 
 #include "scenarios/import/foreign_images.h"
@@ -14,6 +16,28 @@ namespace {
 float value_at(const Image& image, int x, int y, int z) {
   const IVec3 n = image.layout.size;
   return image.value[static_cast<std::size_t>(x + n.x * (y + n.y * z))];
+}
+
+/// The header of a pair, whose voxels begin their own file.
+std::string pair_header(const std::string& single) {
+  std::string out = single.substr(0, 352);
+  out.replace(344, 4, std::string("ni1\0", 4));
+  out.replace(108, 4, std::string(4, '\0'));
+  return out;
+}
+
+/// The same file from a machine whose most significant byte comes first.
+std::string turned_bytes(std::string file) {
+  struct Numbers {
+    std::size_t first, last, bytes;
+  };
+  // By nifti1.h: what lies between is text or single bytes. From 352 on the voxels follow, of 16 bits.
+  const Numbers numbers[] = {{0, 4, 4},     {32, 36, 4},   {36, 38, 2},   {40, 56, 2},   {56, 68, 4},   {68, 76, 2},   {76, 120, 4},
+                             {120, 122, 2}, {124, 148, 4}, {252, 256, 2}, {256, 328, 4}, {352, file.size(), 2}};
+  for (const auto& [first, last, bytes] : numbers)
+    for (std::size_t at = first; at < last; at += bytes)
+      std::reverse(file.begin() + static_cast<std::ptrdiff_t>(at), file.begin() + static_cast<std::ptrdiff_t>(at + bytes));
+  return file;
 }
 
 struct Nifti : ::testing::Test {
@@ -46,6 +70,61 @@ TEST_F(Nifti, AnAffineWithNegativeAxesIsTurnedNotMirrored) {
 TEST_F(Nifti, InWhosePlaceAPipeLiesWaitsForNobody) {
   ASSERT_EQ(::mkfifo((folder / "v.nii").c_str(), 0600), 0);
   EXPECT_EQ(read_nifti(folder / "v.nii", {}).error().code, ImportError::io);
+}
+
+TEST_F(Nifti, OfAPairTheVoxelsPipeWaitsForNobody) {
+  write_text(folder / "v.hdr", pair_header(nifti_file(wish)));
+  ASSERT_EQ(::mkfifo((folder / "v.img").c_str(), 0600), 0);
+  const auto image = read_nifti(folder / "v.hdr", {});
+  ASSERT_FALSE(image);
+  EXPECT_EQ(key_of(image.error().code), "io");
+  EXPECT_EQ(image.error().where, "v.img");
+}
+
+TEST_F(Nifti, OfAPackedFileItsOwnVoxelsAreReadBesideAPlainOneOfItsName) {
+  write_text(folder / "v.nii.gz", gzip_stored(nifti_file(wish)));
+  wish.values.assign(wish.values.size(), 7);
+  write_text(folder / "v.nii", nifti_file(wish));
+  const auto packed = read_nifti(folder / "v.nii.gz", {}), plain = read_nifti(folder / "v.nii", {});
+  ASSERT_TRUE(packed && plain);
+  EXPECT_EQ(value_at(*packed, 1, 2, 3), 321.0f);
+  EXPECT_EQ(value_at(*plain, 1, 2, 3), 7.0f);
+}
+
+TEST_F(Nifti, BesideAPipeOfItsNameAPackedFileWaitsForNobody) {
+  write_text(folder / "v.nii.gz", gzip_stored(nifti_file(wish)));
+  ASSERT_EQ(::mkfifo((folder / "v.nii").c_str(), 0600), 0);
+  EXPECT_TRUE(read_nifti(folder / "v.nii.gz", {}));
+}
+
+TEST_F(Nifti, OfAFileThatWasPackedInPartsAllPartsAreRead) {
+  const std::string whole = nifti_file(wish);
+  write_text(folder / "v.nii.gz", gzip_stored(whole.substr(0, 361)) + gzip_stored("") + gzip_stored(whole.substr(361)));
+  const auto image = read_nifti(folder / "v.nii.gz", {});
+  ASSERT_TRUE(image) << key_of(image.error().code) << image.error().where;
+  EXPECT_EQ(value_at(*image, 1, 2, 3), 321.0f);
+}
+
+TEST_F(Nifti, BytesInTheOtherOrderAreTurned) {
+  wish.affine = {0.1f, 0, 0, 5, 0, 0.2f, 0, 6, 0, 0, 0.5f, 7};
+  const auto image = read(turned_bytes(nifti_file(wish)));
+  ASSERT_TRUE(image) << key_of(image.error().code) << image.error().where;
+  EXPECT_LT(glm::length(image->layout.spacing_mm - Vec3(0.1, 0.2, 0.5)), 1e-6);
+  EXPECT_EQ(value_at(*image, 1, 2, 3), 321.0f);
+}
+
+TEST_F(Nifti, AVoxelWithoutANumberIsBelowAllThatAreMeasured) {
+  std::string file = nifti_file(wish).substr(0, 352);
+  file.replace(70, 4, std::string("\x10\0\x20\0", 4));  // DT_FLOAT32, of 32 bits
+  for (std::size_t i = 0; i < wish.values.size(); ++i) {
+    const float value = i == 0 ? std::numeric_limits<float>::quiet_NaN() : -1000.0f + 0.5f * static_cast<float>(i);
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    for (int byte = 0; byte < 4; ++byte) file += static_cast<char>(bits >> (8 * byte) & 0xff);
+  }
+  const auto image = read(file);
+  ASSERT_TRUE(image) << key_of(image.error().code) << image.error().where;
+  EXPECT_EQ(value_at(*image, 1, 0, 0), -999.5f);
+  EXPECT_LT(value_at(*image, 0, 0, 0), -1000.0f) << "0 would be the value of water";
 }
 
 TEST_F(Nifti, WithoutAnAffineTheSpacingsAloneHoldAndUnitsAreKept) {
@@ -132,10 +211,7 @@ TEST_F(Nifti, VoxelsThatWouldBeginWithinTheHeaderAreRefused) {
 
 TEST_F(Nifti, OfAPairTheFileThatIsMissingOrCutIsNamed) {
   const std::string whole = nifti_file(wish), voxels = whole.substr(352);
-  std::string header = whole.substr(0, 352);
-  header.replace(344, 4, std::string("ni1\0", 4));
-  header.replace(108, 4, std::string(4, '\0'));  // the voxels begin their own file
-  write_text(folder / "v.hdr", header);
+  write_text(folder / "v.hdr", pair_header(whole));
   const auto alone = read_nifti(folder / "v.hdr", {});
   ASSERT_FALSE(alone);
   EXPECT_EQ(key_of(alone.error().code), "missing_file");
