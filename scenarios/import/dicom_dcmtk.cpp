@@ -166,7 +166,8 @@ Result<std::vector<Slice>, ImportFailure> slices_of(const std::filesystem::path&
   }
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder ? path : path.parent_path(), ec)) {
-    if (!entry.is_regular_file(ec) || entry.file_size(ec) > kMaxFileBytes || !looks_like_dicom(entry.path())) continue;
+    std::error_code of_entry;  // a link that leads nowhere is no slice, and the folder is read on
+    if (!entry.is_regular_file(of_entry) || entry.file_size(of_entry) > kMaxFileBytes || !looks_like_dicom(entry.path())) continue;
     files.push_back(entry.path());
     if (files.size() > kMaxFiles)
       return fail(ImportError::too_large, name, text_of({LimitKind::file_count, static_cast<double>(files.size()), kMaxFiles}));

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <filesystem>
+
 #include "scenarios/import/foreign_images.h"
 #include "scenarios/import/import.h"
 #include "tests/modules.h"
@@ -55,6 +57,21 @@ TEST_F(Dicom, SlicesStandInTheOrderOfTheirPlacesWhateverTheirNames) {
   const auto by_one = read_dicom(folder / "7.dcm", {});
   ASSERT_TRUE(by_one);
   EXPECT_EQ(by_one->image.value, ct->image.value);
+}
+
+TEST_F(Dicom, BesideLinksThatLeadNowhereTheSeriesIsRead) {
+  for (int n = 0; n < 3; ++n) put(std::to_string(n), slice(n));
+  const auto ends_with_link = [&] {
+    bool link = false;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) link = entry.is_symlink();
+    return link;
+  };
+  // What the folder lists last decides: a link that is followed leaves its failure there.
+  for (int n = 0; n < 1000 && !ends_with_link(); ++n) std::filesystem::create_symlink("nowhere", folder / ("link" + std::to_string(n)));
+  ASSERT_TRUE(ends_with_link());
+  const auto ct = read_dicom(folder.path(), {});
+  ASSERT_TRUE(ct) << key_of(ct.error().code) << ct.error().where << ct.error().detail;
+  EXPECT_EQ(ct->slices, 3u);
 }
 
 TEST_F(Dicom, StoredValuesBecomeCtNumbersSliceBySlice) {
