@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "scenarios/import/header_text.h"
@@ -68,6 +69,7 @@ Result<Binvox, ImportFailure> read_binvox(std::istream& in, std::uintmax_t bytes
   if (trimmed(line->substr(7)) != "1") return fail(ImportError::unsupported, name + ":1");
   Binvox out;
   bool sized = false;
+  std::set<std::string, std::less<>> keys;
   for (int at = 2;; ++at) {
     const auto where = [&] { return name + ":" + std::to_string(at); };
     line = line_of(in);
@@ -75,6 +77,7 @@ Result<Binvox, ImportFailure> read_binvox(std::istream& in, std::uintmax_t bytes
     const auto word = tokens(*line);
     if (word.empty() || word[0].starts_with('#')) continue;
     if (word[0] == "data") break;
+    if (!keys.emplace(word[0]).second) return fail(ImportError::bad_header, where(), "twice");
     std::array<double, 3> numbers{};
     const std::size_t wanted = word[0] == "scale" ? 1 : 3;
     if (word.size() != wanted + 1) return fail(ImportError::bad_header, where());

@@ -105,6 +105,8 @@ TEST(Binvox, BrokenFilesAreRefusedByTheirCode) {
       {"#binvox 1\ndim 2 2 2\nscale 0\ndata\n" + good, bad_spacing},
       {"#binvox 1\ndim 2 2 2\nscale nan\ndata\n" + good, bad_header},
       {"#binvox 1\ndim 2 2 2\ncolour 1\ndata\n" + good, bad_header},
+      {"#binvox 1\ndim 2 2 2\ndim 2 2 2\ndata\n" + good, bad_header},
+      {"#binvox 1\ndim 2 2 2\nscale 1\nscale 10\ndata\n" + good, bad_header},
       {"#binvox 1\ndim 2 2 2\n", truncated},
       {head + std::string("\1\7", 2), truncated},
       {head + std::string("\1\7\0", 3), truncated},
