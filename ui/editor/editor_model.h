@@ -62,8 +62,8 @@ class EditorModel : public QObject {
   /// opening it fails the attempt. If the grown specimen shows pulp inside the target (an endodontic access), set_facts() removes
   /// that rule within the same step.
   bool set_specimen(const SpecimenSource& source, const std::vector<ScenarioTissue>& tissues);
-  /// Carious lesions, neighbours and seed of a grown tooth. New tissues get the usual figures, the others keep theirs. `field` as
-  /// in set_target.
+  /// Number, carious lesions, neighbours and seed of a grown tooth. New tissues get the usual figures, the others keep theirs. If
+  /// mesial lies on the other side of the new tooth, target and protected regions are mirrored. `field` as in set_part.
   bool set_tooth(const SpecimenSource& source, const QString& field);
   /// Landmarks of a tooth from a file. Of a grown one they are empty, and each edit of them returns false.
   bool takes_landmarks() const { return scenario_.specimen.generator.empty(); }

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "scenarios/specimens/specimens.h"
+#include "scenarios/teeth/landmarks.h"
+#include "scenarios/templates/scope.h"
 #include "scenarios/tissues/tissue_facts.h"
 #include "ui/editor/editor_model.h"
 #include "ui/editor/specimen_grower.h"
@@ -53,6 +55,14 @@ void guard(Scenario& s, const std::vector<ScenarioTissue>& before) {
   if (has_pulp(s.tissues) && !has_pulp(before) && !ruled) critical.push_back("pulp_exposure");
 }
 
+/// The halves of a jaw mirror each other: on the other side a mesial box stays mesial, and its walls keep their names.
+void keep_sides(Scenario& s, int fdi_before) {
+  if (mesial_x(fdi_before) * mesial_x(s.specimen.grown_fdi()) >= 0) return;
+  mirror_x(s.target);
+  for (Protected& one : s.protected_parts)
+    if (one.region) mirror_x(*one.region);
+}
+
 }  // namespace
 
 bool EditorModel::set_specimen(const SpecimenSource& source, const std::vector<ScenarioTissue>& tissues) {
@@ -67,8 +77,10 @@ bool EditorModel::set_specimen(const SpecimenSource& source, const std::vector<S
 
 bool EditorModel::set_tooth(const SpecimenSource& source, const QString& field) {
   return edit(tr("Tooth"), u"tooth/"_qs + field, [&](Scenario& s) {
+    const int fdi_before = s.specimen.grown_fdi();
     s.specimen = source;
     clean(s.specimen);
+    keep_sides(s, fdi_before);
     std::vector<ScenarioTissue> tissues = usual_tissues(tissues_of(s.specimen));
     for (ScenarioTissue& t : tissues) {
       const auto kept = std::ranges::find(s.tissues, t.tissue, &ScenarioTissue::tissue);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scenarios/library/library.h"
+#include "scenarios/templates/templates.h"
 #include "scenarios/tissues/tissue_facts.h"
 #include "tests/modules.h"
 #include "tests/ui/editor/class_one.h"
@@ -52,6 +53,44 @@ TEST(editor_tooth, carious_lesions_and_neighbours_bring_their_tissues_and_leave_
   EXPECT_TRUE(model.scenario().protected_parts.empty());
   model.stack().undo();
   EXPECT_DOUBLE_EQ(figures(Tissue::enamel).stiffness_n_per_mm, 2.5);
+}
+
+TEST(editor_tooth, a_mesial_box_stays_mesial_on_the_tooth_of_the_other_side) {
+  const ScenarioId id = ScenarioId::make();
+  const auto of_36 = fit_template({.key = "class-2-adhesive", .fdi = 36, .id = id}), of_46 = fit_template({.key = "class-2-adhesive", .fdi = 46, .id = id});
+  ASSERT_TRUE(of_36 && of_46);
+  ASSERT_NE(of_36->target, of_46->target);
+  EditorStart start;
+  start.draft = *of_36;
+  EditorModel model(start);
+  const auto take = [&](int fdi) {
+    SpecimenSource tooth = model.scenario().specimen;
+    tooth.fdi = fdi;
+    model.end_gesture();
+    return model.set_tooth(tooth, QStringLiteral("fdi"));
+  };
+  ASSERT_TRUE(take(46));
+  EXPECT_EQ(model.scenario().target, of_46->target);
+  ASSERT_TRUE(take(45));
+  EXPECT_EQ(model.scenario().target, of_46->target) << "mesial lies on the same side";
+  ASSERT_TRUE(take(16));
+  EXPECT_EQ(model.scenario().target, of_36->target);
+  for (int i = 0; i < 3; ++i) model.stack().undo();
+  EXPECT_EQ(model.scenario(), start.draft);
+}
+
+TEST(editor_tooth, a_protected_region_is_mirrored_with_the_tooth) {
+  EditorStart start = class_one();
+  Region ball;
+  ball.kind = RegionKind::sphere;
+  ball.from_mm = {3.0, 1.0, 2.0};
+  ball.radius_mm = 0.5;
+  start.draft.protected_parts.emplace_back(ball);
+  EditorModel model(start);
+  SpecimenSource tooth = model.scenario().specimen;
+  tooth.fdi = 46;
+  ASSERT_TRUE(model.set_tooth(tooth, QStringLiteral("fdi")));
+  EXPECT_EQ(model.scenario().protected_parts.back().region->from_mm, Vec3(-3.0, 1.0, 2.0));
 }
 
 TEST(editor_tooth, turning_a_lesions_number_is_one_step_and_two_lesions_are_two) {
