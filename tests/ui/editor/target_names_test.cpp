@@ -311,5 +311,24 @@ TEST(Width, Of_an_outline_moves_the_bands_of_its_isthmus_in_one_step) {
   EXPECT_EQ(model.scenario(), before);
 }
 
+TEST(FirstBands, Of_a_ridge_go_by_the_number_of_a_tooth_from_a_file) {
+  EditorStart start;
+  start.draft = *load_builtin("channel-1");
+  start.draft.specimen = {};
+  start.draft.specimen.volume = "tooth.nrrd";
+  start.draft.specimen.landmarks.fdi = 46;
+  start.draft.specimen.landmarks.marks = {{MarkKind::cusp_tip, "MB", {Vec3(2, 2, 7)}, MarkState::set}};
+  EditorModel model(start);
+  PointsForm form(model);
+  const auto named = [](const auto& all, const char* name) {
+    return *std::ranges::find_if(all, [name](const auto* widget) { return widget->accessibleName() == QLatin1String(name); });
+  };
+  auto* metrics = named(form.findChildren<QComboBox*>(), "Criterion to add");
+  metrics->setCurrentIndex(metrics->findData(QStringLiteral("ridge_mesial")));
+  named(form.findChildren<QPushButton*>(), "Add a criterion")->click();
+  ASSERT_EQ(model.scenario().rubric.criteria.back().metric, "ridge_mesial");
+  EXPECT_EQ(model.scenario().rubric.criteria.back().bands.ideal_lo, 2.0) << "of a molar; of a premolar 1.6";
+}
+
 }  // namespace
 }  // namespace cusp::test
