@@ -97,7 +97,7 @@ class EditorModel : public QObject {
   bool set_width_mm(double mm);  // the bands of the isthmus likewise
   bool set_top_mm(double mm);
   bool set_corner_radius_mm(double mm);
-  bool set_box_size_mm(double x, double y);
+  bool set_box_size_mm(double x, double y);  // y is the width: the bands of the isthmus likewise
   bool set_point_mm(std::size_t path, std::size_t point, double x, double y);  // on the floor's middle line
   bool add_point(std::size_t path);        // continues the last segment by its own length
   bool remove_point(std::size_t path, std::size_t point);  // also removes a path of fewer than two points

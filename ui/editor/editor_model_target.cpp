@@ -162,7 +162,11 @@ bool EditorModel::set_corner_radius_mm(double mm) {
 
 bool EditorModel::set_box_size_mm(double x, double y) {
   if (!(x > 0) || !(y > 0)) return false;
-  return edit_outline(tr("Size"), u"size"_qs, [&](Scenario&, Outline& t) { t.box_size_mm = {x, y, 0}; });
+  return edit_outline(tr("Size"), u"size"_qs, [&](Scenario& s, Outline& t) {
+    const double by = y - t.box_size_mm.y;
+    t.box_size_mm = {x, y, 0};
+    if (t.shape == "box" && has_pulpal_floor(*part_at(s.target, part_))) move_bands(s, part_, "isthmus_width", by);
+  });
 }
 
 bool EditorModel::set_point_mm(std::size_t path, std::size_t point, double x, double y) {

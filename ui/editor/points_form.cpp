@@ -40,6 +40,9 @@ const Region& target_of(const Region& whole, std::string_view name) {
   return whole;
 }
 
+/// Buccolingual, of an upright outline.
+double width_of(const Outline& outline) { return outline.shape == "box" ? outline.box_size_mm.y : outline.width_mm; }
+
 /// Number of the tooth, grown or from a file; 0 where it has none.
 int tooth_number(const SpecimenSource& specimen) { return specimen.generator.empty() ? specimen.landmarks.fdi : specimen.grown_fdi(); }
 
@@ -63,7 +66,7 @@ Bands first_bands(const std::string& of, const Region& whole, int fdi) {
   const Region& target = target_of(whole, split_metric(of).target);
   if (const auto offered = default_bands(metric, fdi)) {
     if (metric != "isthmus_width" || target.kind != RegionKind::outline) return *offered;
-    return shifted(*offered, target.outline.width_mm - 0.5 * (offered->ideal_lo + offered->ideal_hi));
+    return shifted(*offered, width_of(target.outline) - 0.5 * (offered->ideal_lo + offered->ideal_hi));
   }
   for (const std::string_view key : {"class-1-36", "channel-1", "paper-block"}) {
     const auto known = load_builtin(key);

@@ -294,6 +294,9 @@ TEST(FirstBands, Grow_with_the_outlines_floor_and_wall_and_move_with_its_width) 
   Region wide = premolar.target;
   wide.outline.width_mm = 1.6;
   EXPECT_NEAR(first_bands("isthmus_width", wide, 25).ideal_lo, 1.4, 1e-9);
+  wide.outline.shape = "box";
+  wide.outline.box_size_mm = {5, 3, 0};
+  EXPECT_NEAR(first_bands("isthmus_width", wide, 25).ideal_lo, 2.8, 1e-9) << "across the tooth a box has its second size";
   wide.kind = RegionKind::box;
   EXPECT_NEAR(first_bands("isthmus_width", wide, 25).ideal_lo, 0.8, 1e-9) << "a box has no width of its own";
 }
@@ -309,6 +312,21 @@ TEST(Width, Of_an_outline_moves_the_bands_of_its_isthmus_in_one_step) {
   EXPECT_EQ(isthmus->bands, (Bands{0.8, 1.0, 1.1, 1.5, 1.8, 2.3}));
   model.stack().undo();
   EXPECT_EQ(model.scenario(), before);
+}
+
+TEST(Width, Of_a_box_moves_the_bands_of_its_isthmus_and_its_length_moves_none) {
+  EditorStart start;
+  start.draft = *load_builtin("class-1-25");
+  EditorModel model(start);
+  ASSERT_TRUE(model.set_shape("box"));
+  const Vec3 size = model.outline().box_size_mm;
+  const Rubric before = model.scenario().rubric;
+  ASSERT_TRUE(model.set_box_size_mm(size.x + 1.0, size.y));
+  EXPECT_EQ(model.scenario().rubric, before);
+  ASSERT_TRUE(model.set_box_size_mm(size.x + 1.0, size.y + 0.5));
+  const auto isthmus = [](const Rubric& rubric) { return std::ranges::find(rubric.criteria, "isthmus_width", &Criterion::metric)->bands; };
+  EXPECT_NEAR(isthmus(model.scenario().rubric).ideal_lo, isthmus(before).ideal_lo + 0.5, 1e-9);
+  EXPECT_NEAR(isthmus(model.scenario().rubric).fail_hi, isthmus(before).fail_hi + 0.5, 1e-9);
 }
 
 TEST(FirstBands, Of_a_ridge_go_by_the_number_of_a_tooth_from_a_file) {
