@@ -141,6 +141,20 @@ Result<Slice, ImportFailure> read_slice(const std::filesystem::path& file) {
   return out;
 }
 
+/// A file that is no slice, by its fault, and the series that it names; empty if it names none.
+struct DamagedSlice {
+  std::string series;
+  ImportFailure why;
+};
+DamagedSlice damaged_slice(const std::filesystem::path& file, const ImportFailure& why) {
+  DcmFileFormat format;
+  // What stands before the fault stays in the data set.
+  static_cast<void>(format.loadFileUntilTag(file.c_str(), EXS_Unknown, EGL_noChange, 1024, ERM_autoDetect, DCM_PixelData));
+  OFString text;
+  const bool named = format.getDataset()->findAndGetOFString(DCM_SeriesInstanceUID, text).good();
+  return {named ? std::string(text.c_str()) : std::string(), why};
+}
+
 bool is_skewed(const Slice& s) {
   return std::max({std::abs(glm::length(s.across) - 1.0), std::abs(glm::length(s.down) - 1.0), std::abs(glm::dot(s.across, s.down))}) > kSkew;
 }
@@ -177,17 +191,25 @@ Result<std::vector<Slice>, ImportFailure> slices_of(const std::filesystem::path&
   std::ranges::sort(files);  // so that what is read never hangs on the order in which a disk lists it
   std::map<std::string, std::vector<Slice>> all;
   std::optional<ImportFailure> first_failure;
+  std::vector<DamagedSlice> damaged;
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (progress) progress(0.4 * static_cast<double>(i) / static_cast<double>(files.size()));
     auto slice = read_slice(files[i]);
-    if (slice) all[slice->series].push_back(std::move(*slice));
-    else if (!first_failure) first_failure = slice.error();
+    if (slice) {
+      all[slice->series].push_back(std::move(*slice));
+      continue;
+    }
+    if (!first_failure) first_failure = slice.error();
+    if (slice.error().code != ImportError::unsupported) damaged.push_back(damaged_slice(files[i], slice.error()));
   }
   if (all.empty()) return std::unexpected(first_failure.value_or(ImportFailure{ImportError::unknown_format, name}));
   series = all.size();
   const auto chosen = wanted ? all.find(*wanted)
                              : std::ranges::max_element(all, {}, [](const auto& s) { return usable_slices(s.second); });
   if (chosen == all.end()) return fail(ImportError::corrupt, name);
+  // Without its last slice a series looks whole.
+  const auto of_it = std::ranges::find(damaged, chosen->first, &DamagedSlice::series);
+  if (of_it != damaged.end() && !chosen->first.empty()) return std::unexpected(of_it->why);
   return std::move(chosen->second);
 }
 

@@ -123,6 +123,27 @@ TEST_F(Dicom, AMissingOrDoubledSliceIsRefusedWithItsFile) {
   EXPECT_EQ(key_of(read_dicom(folder.path(), {}).error().code), "bad_spacing");
 }
 
+TEST_F(Dicom, ASliceWhoseHeaderIsCutIsRefusedAndNotLeftOut) {
+  const auto before_rows = [](const DicomWish& w) {
+    const std::string bytes = dicom_file(w);
+    return bytes.substr(0, bytes.find(std::string("\x28\0\x10\0US", 6)));
+  };
+  for (int n = 0; n < 3; ++n) put("s" + std::to_string(n), slice(n));
+  const std::string whole = dicom_file(slice(3)), cut = before_rows(slice(3));
+  ASSERT_LT(cut.size(), whole.size());
+  write_text(folder / "s3", cut);  // the last one: no slice is missing between two others
+  const auto ct = read_dicom(folder.path(), {});
+  ASSERT_FALSE(ct);
+  EXPECT_EQ(ct.error().where, "s3 Rows");
+  EXPECT_EQ(read_dicom(folder / "s0", {}).error().where, "s3 Rows");
+  DicomWish other = slice(3);
+  other.series = "9.9";
+  write_text(folder / "s3", before_rows(other));
+  const auto rest = read_dicom(folder.path(), {});
+  ASSERT_TRUE(rest) << "of another series: " << rest.error().where;
+  EXPECT_EQ(rest->slices, 3u);
+}
+
 TEST_F(Dicom, SlicesWithoutAPlaceAreAsFarApartAsTheirLocations) {
   for (int n = 0; n < 4; ++n) {
     DicomWish w = slice(n);
