@@ -50,7 +50,7 @@ enum class StorageError : std::uint8_t {
   put_back,      // the station stands on an old copy: it has given out another file under this number; where = station, detail = number
   differs,       // the same id stands here with other content; where = table, detail = id
   // Retention
-  clock_ahead,  // the clock is further ahead of every attempt and account than a station pauses; detail = UTC µs of the newest, and of now
+  clock_ahead,  // the clock is further ahead of every attempt and account than a station pauses; detail: storage/retention/clock_doubt.h
 };
 
 /// True if freeing space, or quota, lets the same write succeed.

@@ -1,5 +1,6 @@
 #include "storage/retention/clock_doubt.h"
 
+#include <algorithm>
 #include <string>
 
 namespace cusp::storage {
@@ -8,15 +9,39 @@ namespace {
 
 struct AroundPause {
   std::optional<std::int64_t> before, after;
+
+  bool doubts() const noexcept { return before && after && *after - *before > kLongestPause_us; }
 };
 
-std::optional<StorageFailure> doubt_since(const char* where, std::int64_t before, std::int64_t now) {
-  return StorageFailure{StorageError::clock_ahead, where, std::to_string(before) + ' ' + std::to_string(now)};
+AroundPause around_pause(Row row) { return {row.maybe_integer(0), row.maybe_integer(1)}; }
+
+std::optional<StorageFailure> doubt_of(const char* where, const std::string& dates) {
+  return StorageFailure{StorageError::clock_ahead, where, dates};
+}
+
+std::optional<StorageFailure> doubt_of_pause(const AroundPause& around, std::int64_t now) {
+  const std::int64_t before = around.before.value_or(0), after = around.after.value_or(0);
+  return doubt_of("pause", std::to_string(before) + ' ' + std::to_string(now) + ' ' + std::to_string(after));
+}
+
+/// The newest one that ended after `since`. What was read from other stations would fill a gap of the dates: the log has those of this
+/// station's clock alone.
+Stored<AroundPause> gap_in_log(StorageContext& context, std::int64_t now, std::int64_t since) {
+  AroundPause out;
+  std::optional<std::int64_t> newest;
+  const auto read = context.db.all("SELECT at FROM audit_log WHERE at <= ?1 ORDER BY number", [&](Row row) {
+    const AroundPause gap{newest, row.integer(0)};
+    if (*gap.after > since && gap.doubts()) out = gap;
+    newest = std::max(newest.value_or(*gap.after), *gap.after);
+    return true;
+  }, now);
+  if (!read) return std::unexpected(read.error());
+  return out;
 }
 
 }  // namespace
 
-Stored<std::optional<StorageFailure>> clock_doubt(StorageContext& context) {
+Stored<std::optional<StorageFailure>> clock_doubt(StorageContext& context, std::int64_t age_us) {
   const std::int64_t now = context.clock();
   const auto newest = context.db.first(
       "SELECT max(coalesce((SELECT max(started_at) FROM sessions WHERE started_at <= ?1), 0), "
@@ -25,15 +50,17 @@ Stored<std::optional<StorageFailure>> clock_doubt(StorageContext& context) {
   if (!newest) return std::unexpected(newest.error());
   const std::int64_t last = newest->value_or(0);
   if (last == 0) return std::optional<StorageFailure>{};
-  if (now - last > kLongestPause_us) return doubt_since("clock", last, now);
-  const auto found = context.db.first(
+  if (now - last > kLongestPause_us) return doubt_of("clock", std::to_string(last) + ' ' + std::to_string(now));
+  const auto used = context.db.first(
       "SELECT max(at) FILTER (WHERE at <= ?2), min(at) FILTER (WHERE at > ?2) FROM "
       "(SELECT started_at AS at FROM sessions UNION ALL SELECT created_at FROM people) WHERE at > 0 AND at <= ?1",
-      [](Row row) { return AroundPause{row.maybe_integer(0), row.maybe_integer(1)}; }, now, last - kShortestUse_us);
-  if (!found) return std::unexpected(found.error());
-  const AroundPause around = found->value_or(AroundPause{});
-  if (!around.before || !around.after || *around.after - *around.before <= kLongestPause_us) return std::optional<StorageFailure>{};
-  return doubt_since("pause", *around.before, now);
+      around_pause, now, last - kShortestUse_us);
+  if (!used) return std::unexpected(used.error());
+  if (const AroundPause around = used->value_or(AroundPause{}); around.doubts()) return doubt_of_pause(around, now);
+  const auto logged = gap_in_log(context, now, now - std::max(age_us, kShortestUse_us));
+  if (!logged) return std::unexpected(logged.error());
+  if (logged->doubts()) return doubt_of_pause(*logged, now);
+  return std::optional<StorageFailure>{};
 }
 
 }  // namespace cusp::storage

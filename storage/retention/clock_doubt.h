@@ -18,8 +18,10 @@ inline constexpr std::int64_t kLongestPause_us = 183 * std::int64_t{86'400'000'0
 inline constexpr std::int64_t kShortestUse_us = 14 * std::int64_t{86'400'000'000};
 
 /// clock_ahead if the newest attempt and the newest account lie longer before now than kLongestPause_us; or (where = pause) if those of
-/// the last kShortestUse_us follow all others after such a pause: the clock in question may have dated them. `detail` holds the newest
-/// date before the pause, then now. What is dated later than now does not count, nor does a sign-in.
-Stored<std::optional<StorageFailure>> clock_doubt(StorageContext& context);
+/// the last kShortestUse_us follow all others after such a pause: the clock in question may have dated them; or if the log has such a gap
+/// that ended less than `age_us` ago: a clock that stood back until then made what it dated old. `detail` holds the newest date, then
+/// now; of a pause the newest date before it, now, and the first date after it. What is dated later than now does not count. A sign-in
+/// counts in the log alone. `age_us`: what is older goes. Scans the log.
+Stored<std::optional<StorageFailure>> clock_doubt(StorageContext& context, std::int64_t age_us);
 
 }  // namespace cusp::storage

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kYear_us = 31'557'600'000'000;
 
-/// ?1: gone since; ?2: this station; ?3: first_sequence_since(). A student stays if the log puts an attempt or the account after that: an
+/// ?1: gone since; ?2: this station; ?3: first_sequence_since(). A student stays if the log puts an attempt or the account there or later: an
 /// attempt of this station by its own number, one of another station by the entry of its first reading, and the account by the entry of its
 /// making. session_summaries.released is 0 while the result of an assessment is withheld.
 constexpr std::string_view kSelectDeparted =
@@ -20,9 +20,9 @@ constexpr std::string_view kSelectDeparted =
     "FROM people p WHERE p.role = 'student' AND p.guest = 0 AND p.number <> 'demo' AND last <= ?1 "
     "AND NOT EXISTS (SELECT 1 FROM sessions s WHERE s.student = p.id AND iif(s.station = ?2, s.sequence, (SELECT min(a.sequence) "
     "FROM audit_log a INDEXED BY seals_of_session WHERE a.action = 'session_sealed' AND substr(a.subject, 1, 6) = substr(s.id, 1, 6) "
-    "AND a.subject = s.id)) > ?3) "
+    "AND a.subject = s.id)) >= ?3) "
     "AND NOT EXISTS (SELECT 1 FROM audit_log a INDEXED BY audit_by_subject WHERE a.subject = p.id AND a.action = 'account_created' "
-    "AND a.action <> 'session_sealed' AND a.sequence > ?3) AND p.number <> ";
+    "AND a.action <> 'session_sealed' AND a.sequence >= ?3) AND p.number <> ";
 
 std::string select_departed(std::string_view further) {
   std::string sql(kSelectDeparted);
@@ -40,16 +40,16 @@ Found found_in(Row row) { return {row.id<UserId>(0), row.integer(1), row.flag(2)
 
 /// What is older, by date and by the order of the log, is old.
 struct AgeLimit {
-  std::int64_t before_utc_us = 0, young_sequence = 0;
+  std::int64_t age_us = 0, before_utc_us = 0, young_sequence = 0;
 };
 
 Stored<AgeLimit> limit_of(StorageContext& context, const Actor& actor, int years) {
   if (auto allowed = require(actor, Action::manage_accounts); !allowed) return std::unexpected(allowed.error());
   if (years < 1 || years > kMostRetainedYears) return fail(StorageError::bad_value, "years");
-  const std::int64_t now = context.clock(), before = now - years * kYear_us;
+  const std::int64_t now = context.clock(), age = years * kYear_us, before = now - age;
   const auto young = first_sequence_since(context, before, now);
   if (!young) return std::unexpected(young.error());
-  return AgeLimit{before, *young};
+  return AgeLimit{age, before, *young};
 }
 
 Stored<DepartedStudents> departed_by(StorageContext& context, const AgeLimit& limit) {
@@ -57,7 +57,7 @@ Stored<DepartedStudents> departed_by(StorageContext& context, const AgeLimit& li
   const auto found =
       context.db.all(select_departed(" ORDER BY last, p.id"), found_in, limit.before_utc_us, context.station, limit.young_sequence);
   if (!found) return std::unexpected(found.error());
-  auto doubt = clock_doubt(context);
+  auto doubt = clock_doubt(context, limit.age_us);
   if (!doubt) return std::unexpected(doubt.error());
   Accounts accounts(context);
   DepartedStudents out;

@@ -199,7 +199,7 @@ Stored<ThinningReport> thin_traces(StorageContext& context, const Actor& actor, 
   if (!chosen) return std::unexpected(chosen.error());
   const bool carry_out = order.mode == ThinningMode::carry_out;
   if (carry_out && !context.key) return std::unexpected(context.db.unwritable());
-  auto doubt = clock_doubt(context);
+  auto doubt = clock_doubt(context, order.older_than_days * kDay_us);
   if (!doubt) return std::unexpected(doubt.error());
   if (carry_out && *doubt && order.trust == ClockTrust::checked) return std::unexpected(**doubt);
   ThinningReport report;

@@ -8,11 +8,22 @@
 namespace cusp::test {
 namespace {
 
+constexpr int kThreeYears = 1096;  // 3 x 365.25 days are 1,095.75
+
 struct DepartedTest : OldAttempts {
   DepartedTest() : OldAttempts(3000) {}
   const Account lena = student;
-  /// After everything older: in use for three weeks, so that the clock is believed, and lena is no departed student.
+  /// Entries of the log that lie less than half a year apart, from before the three years up to so many days ago.
+  void log_until(int days_ago) {
+    for (int at = kThreeYears + 4; at > days_ago; at -= 150) {
+      *now = kNow - at * kDay_us;
+      must(store->audit.add({.actor = admin.id, .action = "signed_in", .subject = admin.id.uuid, .detail = {}}));
+    }
+    *now = kNow;
+  }
+  /// After everything older: in use until today, so that the clock is believed, and lena is no departed student.
   void use_lately() {
+    log_until(21);
     student = lena;
     attempt(21);
     attempt(0);
@@ -30,8 +41,6 @@ struct DepartedTest : OldAttempts {
   }
   using Numbers = std::vector<std::string>;
 };
-
-constexpr int kThreeYears = 1096;  // 3 x 365.25 days are 1,095.75
 
 TEST_F(DepartedTest, are_students_whose_newest_attempt_is_older_than_the_school_says) {
   const Account gone = enrolled("gone", 3000), stays = enrolled("stays", 3000);
@@ -147,7 +156,7 @@ TEST_F(DepartedTest, stay_while_the_clock_is_far_ahead_of_every_record_until_it_
   EXPECT_EQ(numbers(must(erase_departed(store->context(), admin, 3, ClockTrust::confirmed)).erasable), Numbers{"gone"});
 }
 
-TEST_F(DepartedTest, stay_for_two_weeks_after_the_first_attempt_under_a_clock_far_ahead) {
+TEST_F(DepartedTest, stay_as_long_as_the_limit_after_the_first_attempt_under_a_clock_far_ahead) {
   enrolled("gone", 3000);
   use_lately();
   attempt(-1000);
@@ -155,12 +164,30 @@ TEST_F(DepartedTest, stay_for_two_weeks_after_the_first_attempt_under_a_clock_fa
   const auto doubt = must(departed_students(store->context(), admin, 3)).doubt;
   ASSERT_TRUE(doubt) << "the clock in question dated the one attempt";
   EXPECT_EQ(doubt->where, "pause");
-  EXPECT_EQ(doubt->detail, std::to_string(kNow) + ' ' + std::to_string(*now));
+  EXPECT_EQ(doubt->detail, std::to_string(kNow) + ' ' + std::to_string(*now) + ' ' + std::to_string(kNow + 1000 * kDay_us));
   EXPECT_EQ(code_of(erase_departed(store->context(), admin, 3)), StorageError::clock_ahead);
   EXPECT_TRUE(store->accounts.find_number("gone"));
-  attempt(-1014);
-  *now = kNow + 1014 * kDay_us;
-  EXPECT_FALSE(must(departed_students(store->context(), admin, 3)).doubt) << "in use for two weeks";
+  const int limit = 1000 + kThreeYears;
+  for (int later = 1014; later <= limit; later += 150) attempt(-later);
+  *now = kNow + (limit - 1) * kDay_us;
+  EXPECT_TRUE(must(departed_students(store->context(), admin, 3)).doubt) << "the gap ended less than three years ago";
+  *now = kNow + limit * kDay_us;
+  EXPECT_FALSE(must(departed_students(store->context(), admin, 3)).doubt);
+}
+
+TEST_F(DepartedTest, stay_for_weeks_after_a_clock_that_stood_years_back_at_the_first_start) {
+  enrolled("new", 3000);
+  student = lena;
+  attempt(21);
+  attempt(0);
+  const DepartedStudents found = must(departed_students(store->context(), admin, 3));
+  EXPECT_EQ(numbers(found.erasable), Numbers{"new"});
+  ASSERT_TRUE(found.doubt) << "made three weeks ago, for all that the log proves";
+  EXPECT_EQ(found.doubt->where, "pause");
+  EXPECT_EQ(found.doubt->detail, std::to_string(kNow - 3000 * kDay_us) + ' ' + std::to_string(kNow) + ' ' + std::to_string(kNow - 21 * kDay_us));
+  EXPECT_EQ(code_of(erase_departed(store->context(), admin, 3)), StorageError::clock_ahead);
+  EXPECT_TRUE(store->accounts.find_number("new"));
+  EXPECT_EQ(numbers(must(erase_departed(store->context(), admin, 3, ClockTrust::confirmed)).erasable), Numbers{"new"});
 }
 
 /// An office that reads a station's file eight years ago, or yesterday: the station's attempt is dated seven years back.
@@ -207,6 +234,31 @@ TEST_F(DepartedElsewhere, stay_if_an_attempt_of_a_clock_seven_years_back_was_rea
   *now = kNow;
   read_attempts();
   EXPECT_TRUE(erasable().empty());
+}
+
+TEST_F(DepartedElsewhere, stay_if_the_reading_of_such_an_attempt_is_the_first_young_entry) {
+  must(trust(school->context(), head, key_of_station(*other), KeyRole::station));
+  complete_session(*other, gone, keep(*other));
+  read_attempts();
+  complete_session(*other, gone, keep(*other));
+  *now = kNow;
+  read_attempts();
+  EXPECT_TRUE(erasable().empty());
+}
+
+TEST_F(DepartedElsewhere, stay_at_an_office_whose_clock_stood_years_back_though_attempts_that_it_read_fill_the_years) {
+  must(trust(school->context(), head, key_of_station(*other), KeyRole::station));
+  must(school->accounts.create(head, {.number = "new", .name = "Ida Falk"}));
+  for (int days_ago = 8 * 365 - 150; days_ago > 21; days_ago -= 150) {
+    *now = kNow - days_ago * kDay_us;
+    complete_session(*other, gone, keep(*other));
+  }
+  *now = kNow - 21 * kDay_us;
+  read_attempts();
+  use_lately();
+  EXPECT_EQ(erasable(), std::vector<std::string>{"new"});
+  EXPECT_EQ(code_of(erase_departed(school->context(), head, 3)), StorageError::clock_ahead);
+  EXPECT_TRUE(school->accounts.find_number("new"));
 }
 
 TEST_F(DepartedTest, are_for_administrators_and_for_whole_years) {

@@ -96,6 +96,21 @@ TEST_F(ThinningTest, leaves_an_attempt_of_yesterday_whole_that_a_clock_seven_yea
   EXPECT_EQ(report.kept, KeptTraces{}) << "like every young one";
 }
 
+struct ThinningAfterYearsBack : OldAttempts {
+  ThinningAfterYearsBack() : OldAttempts(2600) {}
+};
+
+TEST_F(ThinningAfterYearsBack, takes_nothing_for_ninety_days_unless_the_dates_are_confirmed) {
+  const SessionId first_week = attempt(2600);
+  attempt(21);
+  attempt(0);
+  EXPECT_EQ(code_of(thin_traces(store->context(), admin, {.mode = ThinningMode::carry_out})), StorageError::clock_ahead);
+  EXPECT_FALSE(is_thinned(first_week));
+  attempt(-90);
+  *now = kNow + 90 * kDay_us;
+  EXPECT_FALSE(thin(ThinningMode::dry_run).doubt) << "the right clock has run for longer";
+}
+
 TEST_F(ThinningTest, leaves_an_attempt_whole_that_was_resumed_and_finished_yesterday_under_a_clock_set_back) {
   const SessionId resumed = attempt(100, Upto::interrupted);
   attempt(2);

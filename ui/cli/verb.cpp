@@ -109,12 +109,14 @@ void JsonOption::add_to(CLI::App& verb) {
 }
 
 void ClockOption::add_to(CLI::App& verb) {
-  verb.add_flag("--clock-is-right", is_right, help(CliText::tr("This computer’s date is right, although the newest attempt is more than half a year old")));
+  verb.add_flag("--clock-is-right", is_right, help(CliText::tr("The dates are right, although for more than half a year nothing was recorded")));
 }
 
 int failed_by_age(const StorageFailure& failure) {
   Message message = describe(failure);
-  if (failure.code == StorageError::clock_ahead) message.more += u' ' + CliText::tr("If that date is right, add --clock-is-right.");
+  if (failure.code == StorageError::clock_ahead) {
+    message.more += u' ' + (failure.where == "pause" ? CliText::tr("If these dates are right, add --clock-is-right.") : CliText::tr("If that date is right, add --clock-is-right."));
+  }
   return failed(message);
 }
 

@@ -158,8 +158,8 @@ QString day_text(const QString& utc_us) {
 QString clock_text(const StorageFailure& f) {
   const QString times = text(f.detail);
   if (f.where == "pause") {
-    return Text::tr("This computer’s clock says %1. Before those of the last days, the newest attempt or account is of %2.")
-        .arg(day_text(times.section(u' ', 1)), day_text(times.section(u' ', 0, 0)));
+    return Text::tr("This computer’s clock says %1. Nothing was recorded from %2 to %3. If the clock is wrong now, or was before, attempts and accounts are younger than their dates.")
+        .arg(day_text(times.section(u' ', 1, 1)), day_text(times.section(u' ', 0, 0)), day_text(times.section(u' ', 2, 2)));
   }
   return Text::tr("This computer’s clock says %1. The newest attempt or account is of %2.").arg(day_text(times.section(u' ', 1)), day_text(times.section(u' ', 0, 0)));
 }
@@ -281,7 +281,8 @@ Message describe(const StorageFailure& f) {
 }
 
 QString clock_question_text(const StorageFailure& doubt) {
-  return clock_text(doubt) + u' ' + Text::tr("If that date is wrong, cancel and set the clock.");
+  const QString way_out = doubt.where == "pause" ? Text::tr("If one of these dates is wrong, cancel.") : Text::tr("If that date is wrong, cancel and set the clock.");
+  return clock_text(doubt) + u' ' + way_out;
 }
 
 Message describe_account(const StorageFailure& f, const QString& number, Secret asked) {

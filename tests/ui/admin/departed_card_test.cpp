@@ -27,7 +27,7 @@ class Departed : public testing::Test {
     records.student("4712", "Omar Haddad");
     const NewAccount ida{.number = "4709", .name = "Ida Falk", .role = Role::instructor, .password = "correct horse"};
     tutor = records.store().accounts.create(admin.actor(), ida).value();
-    records.now_us = kMorning - 21 * std::int64_t{86'400'000'000};  // three weeks of use vouch for the clock
+    records.use_until(kMorning - 21 * std::int64_t{86'400'000'000});  // use of the years vouches for the clock
     records.student("4710", "Sana Ito");
     records.now_us = kMorning;
     records.student("4711", "Lena Brandt");

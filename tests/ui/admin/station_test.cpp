@@ -33,7 +33,7 @@ class Station : public testing::Test {
     admin = records.administrator();
     if (opened_utc_us < kMorning) {
       old_attempt = records.attempt(records.student("4712", "Omar Haddad"), "channel-1", 81, 60);
-      records.now_us = kMorning - 21 * std::int64_t{86'400'000'000};
+      records.use_until(kMorning - 21 * std::int64_t{86'400'000'000});
       records.student("4713", "Sana Ito");
       records.now_us = kMorning;
     }

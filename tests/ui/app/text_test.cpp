@@ -86,9 +86,10 @@ TEST(Sentences, a_clock_in_doubt_is_named_with_its_day_and_that_of_the_newest_re
   const auto utc_us = [](const QDate& day) { return std::to_string(QDateTime(day, QTime(12, 0)).toMSecsSinceEpoch() * 1000); };
   const StorageFailure doubt{StorageError::clock_ahead, "clock", utc_us(QDate(2026, 5, 3)) + ' ' + utc_us(QDate(2031, 11, 27))};
   EXPECT_EQ(describe(doubt).line().toStdString(), "The clock may be wrong. This computer’s clock says 27 November 2031. The newest attempt or account is of 3 May 2026. Nothing was changed.");
-  const StorageFailure since{StorageError::clock_ahead, "pause", doubt.detail};
+  const StorageFailure since{StorageError::clock_ahead, "pause", doubt.detail + ' ' + utc_us(QDate(2031, 11, 20))};
   EXPECT_EQ(describe(since).line().toStdString(),
-            "The clock may be wrong. This computer’s clock says 27 November 2031. Before those of the last days, the newest attempt or account is of 3 May 2026. Nothing was changed.");
+            "The clock may be wrong. This computer’s clock says 27 November 2031. Nothing was recorded from 3 May 2026 to 20 November 2031. "
+            "If the clock is wrong now, or was before, attempts and accounts are younger than their dates. Nothing was changed.");
 }
 
 TEST(Sentences, why_a_device_may_be_late_is_reported_with_a_way_out) {
