@@ -29,6 +29,11 @@ std::optional<EffectiveGrade> counted(Transaction& transaction, SessionId sessio
   return out;
 }
 
+/// Refuses if another result counts by now than the examiner has read. Without `seen` any does.
+void require_seen(Transaction& transaction, SessionId session, const Grade& counts, const std::optional<Hash256>& seen) {
+  if (seen && *seen != shown_hash(counts)) transaction.refuse({StorageError::wrong_state, "changed", session.text()});
+}
+
 /// Erasing took what was written about the student: nothing is written after it.
 void require_student(Transaction& transaction, SessionId session) {
   const auto student = transaction.first("SELECT student FROM sessions WHERE id = ?1", [](Row row) { return row.id<UserId>(0); }, session);
@@ -79,16 +84,17 @@ Stored<SignedStatement> Statements::comment(const Actor& actor, SessionId sessio
 }
 
 Stored<SignedStatement> Statements::override_points(const Actor& actor, SessionId session, const std::string& criterion,
-                                                    double points, const std::string& reason) {
+                                                    double points, const std::string& reason, const std::optional<Hash256>& seen) {
   if (auto allowed = require(actor, Action::grade_again); !allowed) return std::unexpected(allowed.error());
   if (!good_text(reason)) return fail(StorageError::bad_value, "text");
   SignedStatement s{.session = session, .kind = StatementKind::override_points};
   s.criterion = criterion;
   s.points = points;
   s.text = reason;
-  return state(actor, std::move(s), [](Transaction& transaction, SignedStatement& made) {
+  return state(actor, std::move(s), [&seen](Transaction& transaction, SignedStatement& made) {
     const auto grade = counted(transaction, made.session);
     if (!grade) return;
+    require_seen(transaction, made.session, grade->grade, seen);
     made.grade = grade->stored.number;
     const auto& criteria = grade->stored.grade.criteria;
     const auto found = std::ranges::find(criteria, made.criterion, &CriterionGrade::id);
@@ -99,15 +105,16 @@ Stored<SignedStatement> Statements::override_points(const Actor& actor, SessionI
 }
 
 Stored<SignedStatement> Statements::override_critical(const Actor& actor, SessionId session, const std::string& event,
-                                                      const std::string& reason) {
+                                                      const std::string& reason, const std::optional<Hash256>& seen) {
   if (auto allowed = require(actor, Action::grade_again); !allowed) return std::unexpected(allowed.error());
   if (!good_text(reason)) return fail(StorageError::bad_value, "text");
   SignedStatement s{.session = session, .kind = StatementKind::override_critical};
   s.criterion = event;
   s.text = reason;
-  return state(actor, std::move(s), [](Transaction& transaction, SignedStatement& made) {
+  return state(actor, std::move(s), [&seen](Transaction& transaction, SignedStatement& made) {
     const auto grade = counted(transaction, made.session);
     if (!grade) return;
+    require_seen(transaction, made.session, grade->grade, seen);
     made.grade = grade->stored.number;
     const auto& events = grade->grade.critical;
     if (std::ranges::find(events, made.criterion) == events.end()) {
@@ -125,7 +132,7 @@ Stored<SignedStatement> Statements::confirm(const Actor& actor, SessionId sessio
                  made.grade = grade->stored.number;
                  made.points = grade->grade.score;
                  made.shown = shown_hash(grade->grade);
-                 if (seen && *seen != *made.shown) transaction.refuse({StorageError::wrong_state, "changed", made.session.text()});
+                 require_seen(transaction, made.session, grade->grade, seen);
                });
 }
 

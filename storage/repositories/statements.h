@@ -33,13 +33,14 @@ class Statements {
                                   const CommentPlace& at = {});
   /// These need grade_again and a reason. They speak of the newest grade; wrong_state (where = grade) without one.
   /// bad_value (where = criterion) for one that the grade does not have, (where = points) outside 0 to the criterion's most.
+  /// `seen`: shown_hash() of the result that the examiner has read; wrong_state (where = changed) if another one counts by now.
   Stored<SignedStatement> override_points(const Actor& actor, SessionId session, const std::string& criterion,
-                                          double points, const std::string& reason);
+                                          double points, const std::string& reason, const std::optional<Hash256>& seen = {});
   /// The critical event no longer fails the attempt.
   Stored<SignedStatement> override_critical(const Actor& actor, SessionId session, const std::string& event,
-                                            const std::string& reason);
+                                            const std::string& reason, const std::optional<Hash256>& seen = {});
   /// Needs grade_again. The result as it stands now; a later override asks for another one. A release that waits for it holds
-  /// again. `seen`: shown_hash() of the result that the examiner has read; wrong_state (where = changed) if another one counts by now.
+  /// again. `seen`: as of an override.
   Stored<SignedStatement> confirm(const Actor& actor, SessionId session, const std::optional<Hash256>& seen = {});
   /// Needs assign. wrong_state (where = released) if it is, (where = confirmation) while the result is failed and unconfirmed,
   /// (where = grade) without a grade.

@@ -258,6 +258,22 @@ TEST_F(StatementsTest, a_result_that_another_desk_changed_after_it_was_read_is_n
   EXPECT_FALSE(counts(id).needs_confirmation());
 }
 
+TEST_F(StatementsTest, a_change_of_a_result_that_another_desk_changed_after_it_was_read_is_refused) {
+  const SessionId id = complete_session(*store, lena, version, 80, false);
+  const Hash256 read = shown_hash(counts(id).grade);
+  must(open(folder / "a.db")->statements.override_points(instructor, id, "target_removed", 5, "Not cut."));
+  const auto points = statements().override_points(instructor, id, "target_removed", 20, "Worn.", read);
+  const auto event = statements().override_critical(instructor, id, "pulp_exposure", "It was open before.", read);
+  for (const auto& late : {points, event}) {
+    ASSERT_EQ(code_of(late), StorageError::wrong_state);
+    EXPECT_EQ(late.error().where, "changed");
+  }
+  EXPECT_EQ(must(statements().of(instructor, id)).size(), 1u) << "that of the other desk counts";
+  must(statements().override_critical(instructor, id, "pulp_exposure", "It was open before.", shown_hash(counts(id).grade)));
+  must(statements().override_points(instructor, id, "target_removed", 20, "Worn.", shown_hash(counts(id).grade)));
+  EXPECT_TRUE(counts(id).grade.passed);
+}
+
 TEST_F(StatementsTest, a_confirmation_is_of_the_result_that_it_kept_and_that_of_an_older_program_of_its_score) {
   StoredGrade stored;
   stored.grade = small_grade(50, false);

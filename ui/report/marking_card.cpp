@@ -272,7 +272,7 @@ void MarkingCard::change_points() {
     return text_->setFocus();
   }
   if (!still_stands()) return;
-  finish(store_.statements.override_points(actor_, session_, criterion_, given, reason().toStdString()),
+  finish(store_.statements.override_points(actor_, session_, criterion_, given, reason().toStdString(), read_),
          tr("The points are changed. The measured grade is kept beside them."));
 }
 
@@ -283,7 +283,7 @@ void MarkingCard::strike() {
   }
   if (!still_stands()) return;
   finish(store_.statements.override_critical(actor_, session_, events_->currentData().toString().toStdString(),
-                                             reason().toStdString()),
+                                             reason().toStdString(), read_),
          tr("The critical event no longer counts."));
 }
 
