@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "scenarios/grading/grade.h"
 #include "storage/repositories/accounts.h"
@@ -25,16 +26,21 @@ bool reaches_mark(const Result& r) { return r.pass_mark && scenarios::reaches(r.
 struct Results {
   std::map<std::string, Result> best;  // by number
   std::size_t withheld = 0;
+  std::vector<std::string> ungraded{};
   double most = 100;
 };
 
 Results results_of(const std::vector<HistoryRow>& rows) {
   Results out;
-  std::map<std::string, bool> waits;
+  std::set<std::string> waiting, ungraded;
   for (const HistoryRow& row : rows) {
-    if (!row.score || row.student_number == erased_number(row.student)) continue;
+    if (row.student_number == erased_number(row.student)) continue;
+    if (!row.score) {
+      ungraded.insert(row.student_number);
+      continue;
+    }
     if (!row.released) {
-      waits[row.student_number] = true;
+      waiting.insert(row.student_number);
       continue;
     }
     out.most = row.score_max.value_or(out.most);
@@ -42,7 +48,10 @@ Results results_of(const std::vector<HistoryRow>& rows) {
     const auto [at, fresh] = out.best.try_emplace(row.student_number, result);
     if (!fresh && result.score > at->second.score) at->second = result;
   }
-  for (const auto& [number, waiting] : waits) out.withheld += out.best.contains(number) ? 0 : 1;
+  for (const std::string& number : waiting) out.withheld += out.best.contains(number) ? 0 : 1;
+  for (const std::string& number : ungraded) {
+    if (!out.best.contains(number) && !waiting.contains(number)) out.ungraded.push_back(number);
+  }
   return out;
 }
 
@@ -87,6 +96,7 @@ Stored<GradebookFile> make_gradebook(StorageContext& context, const Actor& actor
   return GradebookFile{.text = system == Gradebook::moodle ? for_moodle(results, title) : for_canvas(results, title),
                        .students = results.best.size(),
                        .withheld = results.withheld,
+                       .ungraded = results.ungraded,
                        .failed = static_cast<std::size_t>(failed)};
 }
 

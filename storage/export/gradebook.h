@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "storage/export/csv.h"
 
@@ -21,6 +22,7 @@ struct GradebookFile {
   std::string text;
   std::size_t students = 0;  // with a result in the file
   std::size_t withheld = 0;  // whose only results wait for their release, and are left out
+  std::vector<std::string> ungraded{};  // numbers of students with attempts of which none has a grade; left out
   std::size_t failed = 0;    // of students: whose points reach the pass mark, though a critical event failed that attempt
 };
 

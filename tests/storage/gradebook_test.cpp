@@ -54,6 +54,23 @@ TEST_F(GradebookTest, holds_the_best_released_result_of_each_student_and_nobody_
   EXPECT_EQ(moodle.text.find("20260003"), std::string::npos);
 }
 
+TEST_F(GradebookTest, names_whose_attempts_have_no_grade_and_gives_them_no_cell) {
+  const auto begin = [&](const Account& student) {
+    NewSession wanted = new_session(student, version);
+    wanted.assignment = exam.id;
+    wanted.start_code = "4711";
+    must(store->traces.append(must(store->sessions.start(student.actor(), wanted)).id, second_from(1)));
+  };
+  for (const Account& student : {lena, omar, ida}) begin(student);
+  sit(lena, 81.5);
+  sit(omar, 70, false);
+  const GradebookFile moodle = file(Gradebook::moodle);
+  EXPECT_EQ(moodle.ungraded, std::vector<std::string>{"20260003"}) << "Lena and Omar have a graded attempt beside it";
+  EXPECT_EQ(moodle.students, 1u);
+  EXPECT_EQ(moodle.withheld, 1u);
+  EXPECT_EQ(moodle.text.find("20260003"), std::string::npos) << "an empty cell would clear a grade there";
+}
+
 TEST_F(GradebookTest, has_one_line_of_a_student_whom_another_window_renames_meanwhile) {
   sit(lena, 62);
   sit(lena, 81.5);

@@ -2,6 +2,7 @@
 
 #include "storage/export/csv.h"
 
+#include <QStringList>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -173,6 +174,11 @@ int export_for_gradebook(Store& store, const Actor& actor, const ExportOptions& 
     print_line(plain(CliText::tr("%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.",
                                  nullptr, static_cast<int>(file.failed))));
   if (file.withheld > 0) print_line(plain(CliText::tr("%n result(s) wait for release.", nullptr, static_cast<int>(file.withheld))));
+  if (!file.ungraded.empty()) {
+    QStringList numbers;
+    for (const std::string& number : file.ungraded) numbers.append(QString::fromStdString(number));
+    print_line(plain(CliText::tr("%n student(s) have no graded attempt: %1.", nullptr, static_cast<int>(file.ungraded.size())).arg(numbers.join(QStringLiteral(", ")))));
+  }
   return kDone;
 }
 

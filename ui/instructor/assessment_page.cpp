@@ -200,6 +200,11 @@ void AssessmentPage::export_gradebook(Gradebook system) {
       done += u' ' + tr("%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.", nullptr,
                         static_cast<int>(file->failed));
     if (file->withheld > 0) done += u' ' + tr("%n wait(s) for release.", nullptr, static_cast<int>(file->withheld));
+    if (!file->ungraded.empty()) {
+      QStringList numbers;
+      for (const std::string& number : file->ungraded) numbers.append(QString::fromStdString(number));
+      done += u' ' + tr("%n student(s) have no graded attempt: %1.", nullptr, static_cast<int>(file->ungraded.size())).arg(numbers.join(u", "_qs));
+    }
     const auto log = [this, file = *file] {
       const auto logged = log_gradebook(store_.context(), actor_, assignment_.id, file);
       if (!logged) show_failure(logged.error());
