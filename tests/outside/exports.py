@@ -219,15 +219,23 @@ def catches(pid, number):
     return bool(int(caught, 16) & 1 << (number - 1))
 
 
-def stopped(desk, database):
-    """Ctrl+C while whoever reads stdout is slow: some of the CSV is written, and the sentence does not deny it."""
+def json_rows(desk, database):
+    """One array, indented by two blanks, with or without rows."""
+    status, out, err = export(desk, database, "--json", "-")
+    check(status == 0 and out.startswith('[\n  {\n    "session": ') and out.endswith("\n  }\n]\n"), f"the JSON: {out}{err}")
+    status, out, err = export(desk, database, "--to", "2000-01-01", "--json", "-")
+    check(status == 0 and out == "[]\n", f"the JSON of no attempt: {out}{err}")
+
+
+def stopped(desk, database, arguments, written):
+    """Ctrl+C while whoever reads stdout is slow: some of it is written, and the sentence does not deny it."""
     reading, writing = os.pipe()
     os.set_blocking(writing, False)
     with contextlib.suppress(BlockingIOError):
         while True:
             os.write(writing, b" " * 4096)
     os.set_blocking(writing, True)
-    with subprocess.Popen([desk.cusp, "export", database, "--as", "admin"], stdin=subprocess.DEVNULL, stdout=writing,
+    with subprocess.Popen([desk.cusp, "export", database, "--as", "admin", *arguments], stdin=subprocess.DEVNULL, stdout=writing,
                           stderr=subprocess.PIPE, text=True, env=desk.environment(**ADMIN)) as run:
         os.close(writing)
         until = time.monotonic() + HUNG_S
@@ -239,7 +247,7 @@ def stopped(desk, database):
             content = slow.read()
         err = run.stderr.read()
     one_sentence(err, "a stopped export")
-    check(run.returncode == 1 and b"started_utc" in content and "No file" not in err, f"a stopped export: exit {run.returncode}: {err}")
+    check(run.returncode == 1 and written in content and "No file" not in err, f"a stopped export: exit {run.returncode}: {err}")
 
 
 def unread(desk, database):
@@ -268,7 +276,9 @@ def main():
         filters(desk, database)
         unwritable_json(desk, database)
         refusals(desk, database)
-        stopped(desk, database)
+        json_rows(desk, database)
+        stopped(desk, database, (), b"started_utc")
+        stopped(desk, database, ("--json", "-"), b'"started"')
         unread(desk, database)
         two_of_one_key(desk, database)
         gradebooks(desk, database)

@@ -4,6 +4,7 @@
 
 #include <QStringList>
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
@@ -182,36 +183,69 @@ int export_for_gradebook(Store& store, const Actor& actor, const ExportOptions& 
   return kDone;
 }
 
+/// One JSON array, written row by row as JsonOption::text_of() would write the whole.
+class JsonRows {
+ public:
+  std::string piece(std::span<const ExportRow> rows) {
+    std::string out;
+    for (const ExportRow& row : rows) {
+      out += std::exchange(empty_, false) ? "[\n  " : ",\n  ";
+      std::string text = JsonOption::text_of(row_json(row));
+      text.pop_back();  // the end of its last line
+      for (const char c : text) {
+        out += c;
+        if (c == '\n') out += "  ";  // a text has none: JSON escapes it
+      }
+    }
+    return out;
+  }
+  std::string end() const { return empty_ ? "[]\n" : "\n]\n"; }
+
+ private:
+  bool empty_ = true;
+};
+
+/// Where the JSON goes beside a CSV: a pipe is opened once the CSV has gone, for one reader may read both.
+bool waits_for_csv(const ExportOptions& o, const Output& csv) {
+  std::error_code error;
+  return csv.wanted() && !o.json.on_stdout() && std::filesystem::exists(o.json.file, error) && !std::filesystem::is_regular_file(o.json.file, error);
+}
+
 int export_rows_of(Store& store, const Actor& actor, const ExportOptions& o, const HistoryFilter& filter) {
   const CsvOptions options{.language = current_language().toStdString()};
   Output csv(o.out, to(o.csv_on_stdout()));
-  std::optional<Output> beside;  // the JSON, whole: a pipe is opened once the CSV has gone
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  std::optional<Output> json;
+  std::string held;  // JSON that waits
+  JsonRows json_rows;
+  if (o.json.wanted() && !waits_for_csv(o, csv)) json.emplace(o.json.file, to(o.json.on_stdout()));
   CsvPart part = CsvPart::beginning;
   bool written = true;
   catch_interrupt();
   const auto take = [&](std::span<const ExportRow> some, std::size_t) -> Stored<bool> {
     if (csv.wanted()) written = csv.write(history_csv(some, std::exchange(part, CsvPart::further), options));
-    if (o.json.wanted()) {
-      for (const ExportRow& row : some) json.push_back(row_json(row));
+    if (json) {
+      written = written && json->write(json_rows.piece(some));
+    } else if (o.json.wanted()) {
+      held += json_rows.piece(some);
     }
     return written && !interrupted();
   };
   const auto close = [&]() -> Stored<void> {
     written = csv.close();
     if (written && o.json.wanted()) {
-      beside.emplace(o.json.file, to(o.json.on_stdout()));
-      written = beside->write(JsonOption::text_of(json)) && beside->close();
+      if (!json) json.emplace(o.json.file, Output::To::file);
+      written = json->write(held + json_rows.end()) && json->close();
     }
     if (!written) return fail(StorageError::io, "export");
     return {};
   };
   const auto rows = export_rows(store.context(), actor, filter, take, close);
+  const bool on_stdout = o.csv_on_stdout() || o.json.on_stdout();
   if (!written) return kFailed;
   if (!rows) return failed(describe(rows.error()));
-  if (!*rows) return failed(o.csv_on_stdout() ? CliText::tr("Stopped. What was written may lack attempts.") : CliText::tr("Stopped. No file was written."));
-  if (!csv.finish() || (beside && !beside->finish())) return kFailed;
-  if (o.csv_on_stdout() || o.json.on_stdout()) return kDone;
+  if (!*rows) return failed(on_stdout ? CliText::tr("Stopped. What was written may lack attempts.") : CliText::tr("Stopped. No file was written."));
+  if (!csv.finish() || (json && !json->finish())) return kFailed;
+  if (on_stdout) return kDone;
   print_line(plain(CliText::tr("%n attempt(s) exported.", nullptr, static_cast<int>(**rows))));
   return kDone;
 }
