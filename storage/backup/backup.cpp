@@ -10,7 +10,7 @@
 #include "storage/records/rollback_counter.h"
 #include "storage/records/sealing.h"
 #include "storage/records/audit_writer.h"
-#include "storage/repositories/current_rights.h"
+#include "storage/records/current_rights.h"
 #include "storage/sqlite/hold_alone.h"
 
 namespace cusp::storage {

@@ -5,7 +5,7 @@
 #include "storage/exchange/logged_files.h"
 #include "storage/exchange/unnamed_copies.h"
 #include "storage/repositories/audit_log.h"
-#include "storage/repositories/current_rights.h"
+#include "storage/records/current_rights.h"
 
 namespace cusp::storage {
 namespace {

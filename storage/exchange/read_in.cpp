@@ -9,7 +9,7 @@
 #include "storage/records/audit_writer.h"
 #include "storage/records/packed_attempts.h"
 #include "storage/records/sealing.h"
-#include "storage/repositories/current_rights.h"
+#include "storage/records/current_rights.h"
 
 namespace cusp::storage {
 namespace {

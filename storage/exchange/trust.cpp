@@ -7,7 +7,7 @@
 #include "storage/exchange/json_read.h"
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
-#include "storage/repositories/current_rights.h"
+#include "storage/records/current_rights.h"
 
 namespace cusp::storage {
 namespace {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "storage/records/audit_writer.h"
+#include "storage/records/current_rights.h"
 #include "storage/records/effective_grade.h"
 #include "storage/records/packed_attempts.h"
 #include "storage/records/sealing.h"
@@ -243,6 +244,7 @@ Stored<void> compare_summaries(Database& db, const std::function<void(const Summ
 Stored<std::uint64_t> rebuild_summaries(StorageContext& context, const Actor& actor) {
   if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
   Transaction transaction(context.db);
+  require_now(transaction, actor.id, Action::manage_station);
   std::uint64_t differences = 0;
   if (transaction.ok()) {
     auto compared = compare_summaries(context.db, [&](const SummaryDifference&) { ++differences; });

@@ -39,7 +39,8 @@ struct SummaryDifference {
 /// is passed over: the verifier names the version.
 Stored<void> compare_summaries(Database& db, const std::function<void(const SummaryDifference&)>& each);
 
-/// Writes every summary and the packed attempts anew from the records and adds an entry to the audit log. Needs manage_station.
+/// Writes every summary and the packed attempts anew from the records and adds an entry to the audit log. Needs manage_station, also as the
+/// records have it now.
 /// Returns how many differences there were.
 Stored<std::uint64_t> rebuild_summaries(StorageContext& context, const Actor& actor);
 

@@ -4,7 +4,7 @@
 
 #include "storage/base/text_length.h"
 #include "storage/records/sealing.h"
-#include "storage/repositories/current_rights.h"
+#include "storage/records/current_rights.h"
 #include "storage/repositories/key_list.h"
 
 namespace cusp::storage {

@@ -6,7 +6,7 @@
 
 #include "storage/records/sealing.h"
 #include "storage/records/verify_log.h"
-#include "storage/repositories/current_rights.h"
+#include "storage/records/current_rights.h"
 
 namespace cusp::storage {
 

@@ -3,7 +3,7 @@
 #include "storage/base/text_length.h"
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
-#include "storage/repositories/current_rights.h"
+#include "storage/records/current_rights.h"
 #include "storage/repositories/erasure.h"
 
 namespace cusp::storage {

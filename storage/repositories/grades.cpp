@@ -5,7 +5,7 @@
 #include "storage/records/chain_writer.h"
 #include "storage/records/session_summary.h"
 #include "storage/records/thinned_traces.h"
-#include "storage/repositories/current_rights.h"
+#include "storage/records/current_rights.h"
 #include "storage/repositories/session_header.h"
 #include "storage/repositories/session_state.h"
 #include "storage/records/sealing.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "storage/repositories/current_rights.h"
+#include "storage/records/current_rights.h"
 #include "storage/repositories/title.h"
 #include "storage/records/sealing.h"
 

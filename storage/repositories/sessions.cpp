@@ -4,7 +4,7 @@
 #include "storage/records/session_summary.h"
 #include "storage/base/process.h"
 #include "storage/repositories/assignments.h"
-#include "storage/repositories/current_rights.h"
+#include "storage/records/current_rights.h"
 #include "storage/repositories/device_tests.h"
 #include "storage/repositories/key_list.h"
 #include "storage/repositories/session_header.h"

@@ -6,7 +6,7 @@
 #include "storage/base/text_length.h"
 #include "storage/records/sealing.h"
 #include "storage/records/session_summary.h"
-#include "storage/repositories/current_rights.h"
+#include "storage/records/current_rights.h"
 #include "storage/repositories/erasure.h"
 #include "storage/repositories/session_state.h"
 

@@ -3,9 +3,9 @@
 #include <string>
 
 #include "storage/cache/key_state_cache.h"
+#include "storage/records/current_rights.h"
 #include "storage/records/sealing.h"
 #include "storage/records/thinned_traces.h"
-#include "storage/repositories/current_rights.h"
 #include "storage/retention/log_order.h"
 
 namespace cusp::storage {

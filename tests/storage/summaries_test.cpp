@@ -119,6 +119,17 @@ TEST_F(Summaries, attempts_of_guests_and_try_outs_are_counted_apart) {
   EXPECT_EQ(differences(db()), "");
 }
 
+TEST_F(Summaries, a_rebuild_is_refused_to_whom_another_window_switched_off_since_signing_in) {
+  const Actor admin = make_administrator(*store).actor();
+  const Actor second = must(store->accounts.create(admin, {.number = "second", .name = "Omar Haddad", .role = Role::administrator, .password = "battery staple"})).actor();
+  complete_session(*store, lena, version, 90);
+  must(db().run("UPDATE session_summaries SET score = 100"));
+  const auto before = summaries(db());
+  must(open(folder / "a.db")->accounts.disable(second, admin.id));
+  EXPECT_EQ(code_of(rebuild_summaries(store->context(), admin)), StorageError::disabled);
+  EXPECT_EQ(summaries(db()), before);
+}
+
 TEST_F(Summaries, a_rebuild_needs_its_right_and_writes_the_same_rows) {
   const Actor admin = make_administrator(*store).actor();
   complete_session(*store, lena, version, 40, false);

@@ -1,4 +1,4 @@
-#include "storage/repositories/current_rights.h"
+#include "storage/records/current_rights.h"
 
 #include <string>
 
