@@ -1,6 +1,5 @@
 #include <fcntl.h>
 #include <linux/magic.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/vfs.h>
 #include <unistd.h>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "storage/base/files.h"
+#include "storage/base/locked_folder.h"
 
 namespace cusp::storage {
 namespace {
@@ -110,20 +110,15 @@ int open_regular(const std::filesystem::path& file) {
 /// For a drive that knows neither link() nor RENAME_NOREPLACE: asks, then renames. The folder's lock keeps other programs of Cusp out
 /// between the two, and ends with its process: one that is killed leaves nothing of the name.
 bool rename_if_free(const std::filesystem::path& from, const std::filesystem::path& to) {
-  const int folder = open_folder_of(to);
+  std::error_code ignored;
   // Some network drives lock no folder: then only the moment between the two is open.
-  if (folder >= 0) flock(folder, LOCK_EX);
+  const LockedFolder folder(std::filesystem::absolute(to, ignored).parent_path(), FolderLock::alone);
   struct stat there{};
-  bool done = false;
   if (lstat(to.c_str(), &there) == 0) {
     errno = EEXIST;
-  } else if (errno == ENOENT) {
-    done = rename(from.c_str(), to.c_str()) == 0;
+    return false;
   }
-  const int error = errno;
-  if (folder >= 0) close(folder);
-  errno = error;
-  return done;
+  return errno == ENOENT && rename(from.c_str(), to.c_str()) == 0;
 }
 
 /// Each way fails with EEXIST if another process created `to` meanwhile. A drive that refuses a link for another reason, as FAT each and AFS

@@ -65,8 +65,10 @@ std::set<std::string> variables_of(const std::string& text) {
 
 std::vector<std::string> forbidden_openings(std::string_view path, const std::string& source) {
   const bool storage = path.starts_with("storage/");
-  // The station's key, what the kernel says of processes and drives, and key states, which have a folder of their own.
-  if (path == "storage/base/files_linux.cpp" || path == "storage/base/process_linux.cpp" || path == "storage/cache/cache_files_linux.cpp") return {};
+  // The station's key, what the kernel says of processes and drives, folders alone, and key states, which have a folder of their own.
+  static const std::set<std::string, std::less<>> kOthers = {"storage/base/files_linux.cpp", "storage/base/locked_folder_linux.cpp",
+                                                             "storage/base/process_linux.cpp", "storage/cache/cache_files_linux.cpp"};
+  if (kOthers.contains(path)) return {};
   // Whatever reads, writes, copies, moves, links or removes a file by its name.
   static const std::regex kCall(
       R"(\b([io]?fstream|fopen|freopen|QFile|QSaveFile|QFileDevice|copy_file|copy|rename|remove|resize_file|create_hard_link|sendfile|mmap|creat|openat|open|truncate|unlink|link)\b(::copy|::rename|::remove)?(\s+\w+)?\s*([({]))");

@@ -12,6 +12,7 @@
 #include <functional>
 #include <sstream>
 
+#include "storage/base/locked_folder.h"
 #include "tests/modules.h"
 #include "tests/storage/sample.h"
 
@@ -182,6 +183,20 @@ TEST(Processes, a_session_of_another_station_is_not_marked) {
   must(store->database().run("UPDATE session_events SET process = 'gone:1:1'"));
   must(store->database().run("UPDATE sessions SET station = ?1", Uuid::v7()));
   EXPECT_TRUE(must(store->sessions.mark_interrupted()).empty());
+}
+
+TEST(LockedFolder, is_shared_by_many_or_held_by_one_alone) {
+  const Folder folder;
+  const fs::path path = folder / "";
+  {
+    const LockedFolder one(path, FolderLock::shared), another(path, FolderLock::shared);
+    EXPECT_TRUE(one.locked() && another.locked());
+    EXPECT_FALSE(LockedFolder(path, FolderLock::alone_at_once).locked());
+  }
+  const LockedFolder alone(path, FolderLock::alone);
+  EXPECT_TRUE(alone.locked());
+  EXPECT_FALSE(LockedFolder(path, FolderLock::alone_at_once).locked());
+  EXPECT_FALSE(LockedFolder(folder / "nothing", FolderLock::shared).locked());
 }
 
 }  // namespace
