@@ -64,7 +64,8 @@ class Accounts {
   Stored<void> disable(const Actor& actor, UserId user);
   Stored<void> enable(const Actor& actor, UserId user);
   /// For good: name, number, password and PIN, cohorts, and the texts of comments and reasons about the user's sessions. The
-  /// records stay under a pseudonym, and verify. not_allowed (where = own_account); wrong_state (where = running) while a
+  /// records stay under a pseudonym, and verify: with them what the chain and the seals cover, as extra time, large text and the file's name
+  /// of a script that drilled an attempt. Without it nobody could explain a result. not_allowed (where = own_account); wrong_state (where = running) while a
   /// session runs. Backups from before still hold the name.
   Stored<void> erase(const Actor& actor, UserId user);
   /// The actor's own, with the old password; or another user's, with manage_accounts (`old` is then ignored). A wrong old one counts
