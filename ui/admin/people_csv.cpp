@@ -77,7 +77,8 @@ class CsvReader {
     }
   }
   void end_cell() {
-    row_.push_back(cell_.trimmed());
+    // A list from a Mac may hold "u" and two dots where everybody types "ü": number, name and cohort would be others.
+    row_.push_back(cell_.trimmed().normalized(QString::NormalizationForm_C));
     cell_.clear();
   }
   void end_row() {
@@ -204,7 +205,7 @@ Result<std::vector<ListedStudent>, ListFailure> read_student_list(const QByteArr
     if (const auto it = by_number.find(key); student.problem == ListedStudent::Problem::none && it != by_number.end()) {
       if (it->second->role != Role::student) student.problem = ListedStudent::Problem::staff;
       // An older program kept the marks and blanks of its list.
-      const bool same = without_marks_but_joiners(QString::fromStdString(it->second->name)) == student.name;
+      const bool same = without_marks_but_joiners(QString::fromStdString(it->second->name).normalized(QString::NormalizationForm_C)) == student.name;
       student.state = same ? ListedStudent::State::known : ListedStudent::State::other_name;
     }
     if (student.problem != ListedStudent::Problem::none) student.state = ListedStudent::State::bad;

@@ -140,6 +140,16 @@ TEST(StudentList, takes_no_mark_that_nobody_sees) {
   EXPECT_EQ(list[3].name, QString::fromUtf8("\u0645\u06CC\u200C\u0646\u0627")) << "a joiner is part of the spelling";
 }
 
+TEST(StudentList, writes_a_letter_and_its_mark_as_the_one_character_that_is_typed) {
+  const Account known{.number = "2", .name = "Mu\u0308ller"};  // of an older program
+  const auto list = list_of("number,name,cohort\nu\u03081,Mu\u0308ller,U\u0308bung\n\u00FC1,Other,\n2,M\u00FCller,\n", {known});
+  ASSERT_EQ(list.size(), 3u);
+  EXPECT_EQ(list[0].number + list[0].name, QString::fromUtf8("\u00FC1M\u00FCller"));
+  EXPECT_EQ(list[0].cohort, QString::fromUtf8("\u00DCbung"));
+  EXPECT_EQ(list[1].problem, Problem::twice);
+  EXPECT_EQ(list[2].state, State::known);
+}
+
 TEST(StudentList, a_tab_or_a_line_s_end_within_a_cell_parts_two_words) {
   const auto list = list_of("number,name,cohort\n1,Lena\tBrandt,Year\t3\n2,\"Omar\r\nHaddad\",\n3,\"Ida\rLind\",\n");
   ASSERT_EQ(list.size(), 3u);
