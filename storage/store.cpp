@@ -25,6 +25,18 @@ Stored<StationKey> read_or_make_key(const std::filesystem::path& file) {
   return *key;
 }
 
+/// Whether the file is there and has lost every byte: the counter, which the station's key has signed, counted entries. Another program that
+/// makes the file now writes its counter after its file: the counter is read first.
+bool is_emptied(const std::filesystem::path& file, const std::filesystem::path& key_file) {
+  const auto counter = read_counter(counter_file_of(key_file));
+  if (!counter || !*counter || (*counter)->log.links == 0) return false;
+  const auto content = read_private_file(key_file);
+  const auto key = content ? station_key_from(content->value_or("")) : std::nullopt;
+  if (!key || key->id() != (*counter)->key) return false;
+  std::error_code error;
+  return std::filesystem::file_size(file, error) == 0 && !error;
+}
+
 /// Station row and key, under the database's write lock: processes that start together agree on both.
 Stored<void> ready_station(StorageContext& context, const std::filesystem::path& key_file) {
   Transaction transaction(context.db);
@@ -85,13 +97,15 @@ Stored<std::unique_ptr<Store>> Store::open(const std::filesystem::path& file, St
   const std::filesystem::path real = behind_links(file);
   // A restore that was killed leaves no database at the name, as before a first start.
   if (auto finished = finish_half_done(real); !finished) return std::unexpected(finished.error());
+  const auto key_file = options.key_file.empty() ? station_key_file(file) : options.key_file;
+  // SQLite would begin a new file there: nobody would miss the records, and the first to come would be the administrator.
+  if (options.database.access == DatabaseOptions::Access::create && is_emptied(real, key_file)) return fail(StorageError::corrupt, real.string());
   auto database = Database::open(real, options.database);
   if (!database) return std::unexpected(database.error());
   auto store = std::make_unique<Store>(
       StorageContext{std::move(*database), std::move(options.clock), options.cost, Uuid{}, std::nullopt});
   StorageContext& context = store->context();
   if (options.tries) context.tries = std::move(options.tries);
-  const auto key_file = options.key_file.empty() ? station_key_file(file) : options.key_file;
   context.key_file = key_file;
   context.counter_file = counter_file_of(key_file);
   if (context.db.read_only()) {

@@ -94,13 +94,19 @@ bool lacks_space(const StorageFailure& failure) {
          failure.code == StorageError::not_found;
 }
 
-/// Whether a log lies there without its file, as where records were moved by hand after a crash: SQLite removes it when it makes a new
-/// file, with all that was written last. Another program that makes the file now makes its log later.
-bool has_left_log(const fs::path& file) {
+enum class LeftLog : std::uint8_t { none, without_file, beside_empty_file };
+
+/// A log that lies there without its file, as where records were moved by hand after a crash, or beside one that lost its bytes: SQLite
+/// removes it when it begins a file, with all that was written last. Another program that makes the file now makes its log later: the log
+/// is looked for first.
+LeftLog left_log(const fs::path& file) {
   constexpr std::uintmax_t kHeader = 32;  // file format, 4.1
   std::error_code none;
   const auto bytes = fs::file_size(file.string() + "-wal", none);
-  return !none && bytes > kHeader && !fs::exists(file, none);
+  if (none || bytes <= kHeader) return LeftLog::none;
+  if (!fs::exists(file, none)) return none ? LeftLog::none : LeftLog::without_file;
+  const auto of_file = fs::file_size(file, none);
+  return !none && of_file == 0 ? LeftLog::beside_empty_file : LeftLog::none;
 }
 
 /// SQLite opens what lies beside, a journal for reading: it would wait for the other end of a pipe.
@@ -120,7 +126,9 @@ Stored<void> check_place(const fs::path& file, const DatabaseOptions& options) {
   if (ignored == std::errc::permission_denied) return fail(StorageError::read_only, file.string());
   if (!existed && options.access != Access::create) return fail(StorageError::not_found, file.string());
   if (existed && !fs::is_regular_file(file, ignored)) return fail(StorageError::not_a_database, file.string());
-  if (!existed && has_left_log(file)) return fail(StorageError::duplicate, file.filename().string() + "-wal", "log");
+  const LeftLog left = left_log(file);
+  if (!existed && left == LeftLog::without_file) return fail(StorageError::duplicate, file.filename().string() + "-wal", "log");
+  if (left == LeftLog::beside_empty_file) return fail(StorageError::corrupt, file.string());
   if (auto good = check_beside(file); !good) return good;
   const fs::path folder = folder_of(file);
   if (!fs::is_directory(folder, ignored)) return fail(StorageError::not_found, folder.string(), "folder");

@@ -187,6 +187,16 @@ TEST_F(ReadingTest, a_folder_that_nobody_can_write_shows_its_log_too) {
   EXPECT_EQ(sessions, 2u);
 }
 
+TEST_F(ReadingTest, a_log_beside_a_file_that_lost_every_byte_stays) {
+  const Crashed left(folder / "a.db");
+  const std::string log = content_of(left.file.string() + "-wal");
+  fs::resize_file(left.file, 0);
+  for (const Access access : {Access::create, Access::existing, Access::read_only}) {
+    EXPECT_EQ(code_of(Database::open(left.file, {.access = access})), StorageError::corrupt);
+  }
+  EXPECT_EQ(content_of(left.file.string() + "-wal"), log);
+}
+
 TEST_F(ReadingTest, a_file_that_cannot_be_read_at_all_is_refused_and_not_taken_for_empty) {
   const Crashed left(folder / "a.db");
   for (int n = 1; n <= 30; ++n) {

@@ -142,6 +142,18 @@ TEST_F(RollbackTest, a_new_database_under_the_name_of_an_old_one_begins_anew) {
   EXPECT_TRUE(codes(*open(folder / "a.db")).empty());
 }
 
+TEST_F(RollbackTest, a_database_that_lost_every_byte_is_damaged_and_is_not_begun_anew) {
+  const fs::path file = folder / "a.db";
+  { make_student(*open(file)); }
+  const std::uint64_t before = counted(counter());
+  fs::resize_file(file, 0);
+  EXPECT_EQ(code_of(Store::open(file, quick())), StorageError::corrupt);
+  EXPECT_EQ(fs::file_size(file), 0u);
+  EXPECT_EQ(counted(counter()), before);
+  fs::remove(folder / "a.db.key");  // then the counter is of no station here
+  EXPECT_TRUE(codes(*open(file)).empty());
+}
+
 /// A file of before seals: what it held is sealed at the first opening for writing, and held against that.
 TEST_F(RollbackTest, a_file_of_schema_1_is_sealed_when_it_is_first_opened_for_writing) {
   const fs::path file = folder / "a.db";
