@@ -39,6 +39,8 @@ Stored<void> Cohorts::add_all(const Actor& actor, CohortId cohort, std::span<con
   for (const UserId& student : students) {
     require_not_erased(transaction, student);
     transaction.run("INSERT INTO cohort_students (cohort, student) VALUES (?1, ?2) ON CONFLICT DO NOTHING", cohort, student);
+    // Who was in the cohort has not joined it now.
+    if (!transaction.ok() || c_.db.changes() == 0) continue;
     log.add({.actor = actor.id, .action = "cohort_joined", .subject = student.uuid, .detail = cohort.text()});
   }
   log.finish();

@@ -305,6 +305,7 @@ TEST_F(AccountsTest, cohorts_hold_students) {
   EXPECT_EQ(must(store->cohorts.students(cohort.id)).size(), 1u) << "all or none";
   must(store->cohorts.add_all(instructor, cohort.id, both));
   EXPECT_EQ(must(store->cohorts.students(cohort.id)).size(), 2u);
+  EXPECT_EQ(must(store->audit.list(make_administrator(*store).actor(), 100, INT64_MAX, {.actions = {"cohort_joined"}})).size(), 2u) << "each once";
   EXPECT_EQ(code_of(store->cohorts.add(student.actor(), cohort.id, student.id)), StorageError::not_allowed);
   must(store->cohorts.remove(instructor, cohort.id, other));
   must(store->cohorts.remove(instructor, cohort.id, student.id));
