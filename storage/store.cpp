@@ -21,7 +21,7 @@ Stored<StationKey> read_or_make_key(const std::filesystem::path& file) {
     if (!content) return std::unexpected(content.error());
   }
   const auto key = station_key_from(content->value_or(""));
-  if (!key) return fail(StorageError::corrupt, file.string());
+  if (!key) return fail(StorageError::corrupt, file.string(), "key");
   return *key;
 }
 

@@ -42,7 +42,7 @@ class Store {
 
  public:
   /// Opens or makes the database and the station's key. If the key file is gone, the store makes a new key; old signatures
-  /// are still checked against the keys that they name. corrupt (where = key file) if the key file is damaged,
+  /// are still checked against the keys that they name. corrupt (where = key file, detail = key) if the key file is damaged,
   /// (where = the database) if the database is empty and its counter has counted entries.
   /// Follows links: the key's name is made from that of the file itself. Finishes a restore that was killed between two moves; busy while it
   /// runs.

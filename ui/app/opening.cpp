@@ -22,17 +22,20 @@ namespace {
 constexpr int kBackupLookMs = 60'000;  // between two looks at whether a backup is due
 constexpr int kBackupRetryS = 3'600;   // after one that failed: on a full disk each try copies until there is no room
 
+/// A backup of all would take the place of records that are whole.
+bool is_key(const StorageFailure& failure) { return failure.code == StorageError::corrupt && failure.detail == "key"; }
+
 /// Whether the records themselves are damaged: only a backup helps. A file that is no database, and has no key, was never theirs.
 bool is_damage(const StorageFailure& failure, const std::filesystem::path& database) {
   std::error_code ignored;
   const bool theirs = std::filesystem::exists(station_key_file(database), ignored);
-  return failure.code == StorageError::corrupt || failure.code == StorageError::bad_statement ||
+  return (failure.code == StorageError::corrupt && !is_key(failure)) || failure.code == StorageError::bad_statement ||
          (failure.code == StorageError::not_a_database && theirs);
 }
 
-/// A disk that takes nothing more can still be read, and so can what is whole of damaged records.
+/// A disk that takes nothing more can still be read, and so can records without their key, and what is whole of damaged ones.
 bool may_be_read(const StorageFailure& failure, const std::filesystem::path& database) {
-  return failure.code == StorageError::read_only || out_of_space(failure.code) || failure.code == StorageError::io || is_damage(failure, database);
+  return failure.code == StorageError::read_only || out_of_space(failure.code) || failure.code == StorageError::io || is_key(failure) || is_damage(failure, database);
 }
 
 }  // namespace

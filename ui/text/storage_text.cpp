@@ -69,6 +69,10 @@ std::optional<Message> describe_file(const StorageFailure& f) {
         return Message{Text::tr("The backup is damaged."),
                     Text::tr("%1 holds another number of attempts than its description. Nothing was changed; restore another backup.").arg(where)};
       }
+      if (f.detail == "key") {
+        return Message{Text::tr("The station’s key is damaged: put its file back from a backup."),
+                    Text::tr("%1 cannot be read; the records are as they were. Without a backup move it away: Cusp then makes a new key, which other stations have to trust anew.").arg(where)};
+      }
       [[fallthrough]];
     case StorageError::bad_statement:
       return Message{Text::tr("The database is damaged."),

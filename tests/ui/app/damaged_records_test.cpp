@@ -155,6 +155,19 @@ TEST_F(DamagedRecords, that_can_be_read_in_part_are_read_and_offer_the_way_back)
   EXPECT_EQ(desktop->store(), nullptr) << "nothing holds the file that is to be moved";
 }
 
+TEST_F(DamagedRecords, are_not_those_whose_key_alone_is_damaged) {
+  desktop = std::make_unique<Desktop>(settings, Ports::of_the_system(), records.file(),
+                                      [](const std::filesystem::path& file, const StoreOptions& options) -> Stored<std::unique_ptr<Store>> {
+                                        if (options.database.access != DatabaseOptions::Access::read_only) return fail(StorageError::corrupt, file.string() + ".key", "key");
+                                        return Store::open(file, options);
+                                      });
+  desktop->start();
+  desktop->show();
+  ASSERT_NE(qobject_cast<SignIn*>(desktop->page()), nullptr);
+  EXPECT_TRUE(bands().contains(QStringLiteral("Results and reports can be read."))) << bands().toStdString();
+  EXPECT_FALSE(bands().contains(QStringLiteral("until a backup takes their place"))) << "later records would go with it";
+}
+
 TEST_F(DamagedRecords, have_the_keyboard_on_the_next_act_at_each_try) {
   StorageError error = StorageError::newer_schema;
   desktop = std::make_unique<Desktop>(settings, Ports::of_the_system(), records.file(),
