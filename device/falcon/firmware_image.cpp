@@ -3,7 +3,6 @@
 #include <sodium.h>
 
 #include <fstream>
-#include <iterator>
 
 namespace cusp::device::falcon {
 
@@ -109,8 +108,10 @@ Result<FirmwareImage, ImageFailure> FirmwareImage::from_file(const std::filesyst
   if (error) return fail(ImageError::unreadable, file.string());
   if (size > kMaxBytes) return fail(ImageError::too_large, file.string());
   std::ifstream in(file, std::ios::binary);
-  std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in || in.bad()) return fail(ImageError::unreadable, file.string());
+  std::vector<std::uint8_t> bytes(kMaxBytes + 1);  // one byte too many is enough to be refused
+  in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (!in.is_open() || in.bad()) return fail(ImageError::unreadable, file.string());
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
   auto image = from_bytes(std::move(bytes));
   if (!image) return fail(image.error().code, file.string(), image.error().where);
   return image;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -47,9 +46,10 @@ std::vector<std::uint8_t> descriptor_of(const std::string& path) {
   if (slash == std::string::npos) return {};
   std::ifstream file("/sys/class/hidraw" + path.substr(slash) + "/device/report_descriptor", std::ios::binary);
   constexpr std::size_t kMost = 4096;  // HID_MAX_DESCRIPTOR_SIZE of the kernel
-  std::vector<std::uint8_t> bytes;
-  for (std::istreambuf_iterator<char> at(file), end; at != end && bytes.size() < kMost; ++at)
-    bytes.push_back(static_cast<std::uint8_t>(*at));
+  // read() keeps the error of a device that is unplugged meanwhile; an iterator would throw it.
+  std::vector<std::uint8_t> bytes(kMost);
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
   return bytes;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
+#include <string>
 #include <thread>
 
 namespace cusp::device {
@@ -15,7 +15,10 @@ Result<void, PortFailure> CsvPort::open() {
     if (kind != std::filesystem::file_type::regular) return fail(PortError::io, file_.string());
     std::ifstream file(file_, std::ios::binary);
     if (!file) return fail(PortError::no_permission, file_.string());
-    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    std::string text;
+    std::vector<char> part(std::size_t{1} << 16);
+    while (file.read(part.data(), static_cast<std::streamsize>(part.size())), file.gcount() > 0)
+      text.append(part.data(), static_cast<std::size_t>(file.gcount()));
     if (file.bad()) return fail(PortError::io, file_.string());
     auto rows = parse_trace(text);
     if (!rows) {

@@ -192,6 +192,9 @@ TEST(CsvPort, SaysWhatIsWrongWithAFile) {
   const auto folder = CsvPort(std::filesystem::temp_directory_path(), Pacing::at_once).open();
   ASSERT_FALSE(folder);
   EXPECT_EQ(folder.error().code, PortError::io);
+  const auto failing = CsvPort("/proc/self/mem", Pacing::at_once).open();  // reading at address 0 fails with EIO
+  ASSERT_FALSE(failing);
+  EXPECT_EQ(failing.error().code, PortError::io);
   const auto path = file_with(with_header("1000,0,0,0,0,0,0,32767,0\n"));
   CsvPort broken(path, Pacing::at_once);
   const auto opened = broken.open();

@@ -87,5 +87,10 @@ TEST(FirmwareImage, reads_a_file_and_names_it_when_it_is_no_good) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(FirmwareImage, a_disk_that_fails_while_it_is_read_is_unreadable) {
+  // Of this process: reading at address 0 fails with EIO.
+  EXPECT_EQ(FirmwareImage::from_file("/proc/self/mem").error().code, ImageError::unreadable);
+}
+
 }  // namespace
 }  // namespace cusp::device::falcon

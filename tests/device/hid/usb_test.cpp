@@ -1,6 +1,7 @@
 // The real hidapi over hidraw nodes of a umockdev testbed. Reports are counted; what is waited for is progress.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <thread>
 
 #include "device/hid/hid_station.h"
@@ -41,6 +42,23 @@ TEST(HidUsb, lists_what_is_plugged_in_with_its_descriptor) {
   EXPECT_EQ(devices[0].interface_number, 0);
   EXPECT_EQ(devices[0].descriptor, test::vec_descriptor());
   EXPECT_EQ(devices[1].descriptor, test::space_mouse_descriptor());
+}
+
+TEST(HidUsb, a_device_whose_descriptor_cannot_be_read_is_listed_without_it) {
+  MockHid pedal(bus(), 1, 0x05f3, 0x00ff, "VEC USB Footpedal", test::vec_descriptor());
+  pedal.plug();
+  gchar* const sys = umockdev_testbed_get_sys_dir(bus().testbed());
+  const std::filesystem::path file = std::filesystem::path(sys) / "class/hidraw/hidraw1/device/report_descriptor";
+  g_free(sys);
+  ASSERT_TRUE(std::filesystem::remove(file));
+  // Reading it fails with EIO, as the kernel's own file fails with ENODEV once the device is unplugged.
+  std::filesystem::create_symlink("/proc/self/mem", file);
+  const auto hidapi = make_hidapi_bus();
+  ASSERT_TRUE(hidapi);
+  const auto devices = hidapi->list();
+  ASSERT_EQ(devices.size(), 1u);
+  EXPECT_EQ(devices[0].path, pedal.path());
+  EXPECT_TRUE(devices[0].descriptor.empty());
 }
 
 TEST(HidUsb, every_report_of_ten_thousand_arrives_whole_and_in_order) {
