@@ -189,7 +189,8 @@ LinkTime Session::due() const noexcept {
     case Phase::ready: return awaits_answer_ ? asked_ + settings_.answer : asked_ + settings_.pace;
     case Phase::greeting:
     case Phase::silent:
-      if (ask_ && !state_.device.empty()) return asked_ + settings_.pace;
+      if (state_.device.empty()) return received_ + settings_.give_up;  // no message can name a device
+      if (ask_) return asked_ + settings_.pace;
       return std::min(asked_ + settings_.repeat, received_ + settings_.give_up);
   }
   return since_;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -311,6 +312,20 @@ TEST(InverseSession, a_service_without_the_device_is_no_device) {
   mute.event(LinkEvent::Kind::opened);
   mute.pass(2000ms);
   EXPECT_EQ(mute.session.state().trouble, Trouble::no_answer);
+}
+
+TEST(InverseSession, without_a_device_to_ask_it_sleeps_until_it_gives_up) {
+  Rig rig;
+  rig.request();
+  rig.event(LinkEvent::Kind::opened);
+  rig.event(LinkEvent::Kind::message, R"({"inverse3":[]})");
+  int wakes = 0;
+  for (; rig.phase() == Phase::greeting && wakes < 100; ++wakes) {
+    rig.now = std::max(rig.now, rig.session.due());
+    rig.event(LinkEvent::Kind::time);
+  }
+  EXPECT_EQ(wakes, 1);
+  EXPECT_EQ(rig.phase(), Phase::pausing);
 }
 
 TEST(InverseSession, a_device_that_vanishes_from_the_list_is_silent_and_then_gone) {
