@@ -18,6 +18,7 @@ constexpr LinkTime kRephase = std::chrono::microseconds(200);  // a later answer
 constexpr LinkTime kRepeat = std::chrono::microseconds(100);   // a packet waits so long for an answer to come first
 constexpr LinkTime kLongestWait = std::chrono::milliseconds(20);
 constexpr LinkTime kCancelPoll = std::chrono::milliseconds(100);  // open() checks cancelled_ so often
+constexpr LinkTime kMostSilence = std::chrono::seconds(10);  // then open() gives up a device whose answers cannot be used
 constexpr int kMostWaiting = 64;                              // events read at once after a stall
 constexpr int kClosingPackets = 5;                            // of zero torque, before the device is closed
 constexpr std::uint8_t kPressTicks = 20;  // a press counts after so many ticks: switches bounce
@@ -94,6 +95,7 @@ Result<void, PortFailure> FalconPort::open() {
   last_ = Sample{};
   pressed_ = false;
   open_ = true;
+  LinkTime silent_from = link_->now();
   for (;;) {
     const bool homing = session_.phase() == Phase::homing;
     once(link_->now() + (homing ? kPeriod : kCancelPoll));
@@ -109,6 +111,7 @@ Result<void, PortFailure> FalconPort::open() {
       failure = PortFailure{code, link_->name(), std::string(falcon::key_of(state.trouble))};
     };
     if (state.phase == Phase::ready || (state.phase == Phase::homing && !settings_.home_in_open)) break;
+    if (state.phase != Phase::silent) silent_from = link_->now();
     if (state.phase == Phase::needs_image) {
       failure = no_image_.value_or(PortFailure{PortError::bad_file, link_->name(), "needs_image"});
     } else if (state.phase == Phase::failed) {
@@ -119,6 +122,9 @@ Result<void, PortFailure> FalconPort::open() {
       fails(PortError::no_permission);
     } else if (state.phase == Phase::unplugged && state.trouble == Trouble::busy) {
       fails(PortError::busy);
+    } else if (link_->now() - silent_from >= kMostSilence) {
+      const Trouble why = state.stale > state.flawed ? Trouble::late_answers : Trouble::link_failed;
+      failure = PortFailure{PortError::io, link_->name(), std::string(falcon::key_of(why))};
     } else if (cancelled_.load(std::memory_order_acquire)) {
       failure = PortFailure{PortError::io, link_->name(), "cancelled"};
     }

@@ -73,8 +73,8 @@ class FalconPort final : public HapticPort {
   /// Not while the loop runs. Why there is no image: open() fails with it if firmware must be loaded.
   void lack_image(PortFailure why) { no_image_ = std::move(why); }
 
-  /// Blocks until the firmware answers: at once if it runs, some seconds with an upload, up to a minute if the loader does
-  /// not answer. Homing follows in wait(), or here with home_in_open. not_found, no_permission, busy; bad_file
+  /// Blocks until the firmware answers: at once if it runs, some seconds with an upload, ten if no answer can be used, up to
+  /// a minute if the loader does not answer. Homing follows in wait(), or here with home_in_open. not_found, no_permission, busy; bad_file
   /// "needs_image", or as lack_image(), if firmware must be loaded and none was given; io with the Trouble's key. `where`: the link's name.
   Result<void, PortFailure> open() override;
   /// Any thread. A running open() returns io "cancelled".

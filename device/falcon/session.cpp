@@ -27,7 +27,8 @@ std::string_view key_of(Phase phase) noexcept {
 
 std::string_view key_of(Trouble trouble) noexcept {
   constexpr std::string_view kKeys[] = {"none",    "absent",     "denied",  "busy",      "no_hello",
-                                        "no_lock", "wrong_echo", "no_echo", "no_answer", "link_failed"};
+                                        "no_lock", "wrong_echo", "no_echo", "no_answer", "link_failed",
+                                        "late_answers"};
   return kKeys[static_cast<std::size_t>(trouble)];
 }
 

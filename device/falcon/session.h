@@ -57,6 +57,7 @@ enum class Trouble : std::uint8_t {
   no_echo,
   no_answer,  // uploaded, but the firmware does not answer
   link_failed,
+  late_answers,  // each older than SessionTimes::fresh
 };
 std::string_view key_of(Trouble trouble) noexcept;
 

@@ -53,7 +53,8 @@ QString help_text(const falcon::SessionState& state) {
     case Trouble::wrong_echo:
     case Trouble::no_echo:
     case Trouble::no_answer:
-    case Trouble::link_failed: break;
+    case Trouble::link_failed:
+    case Trouble::late_answers: break;
   }
   // A first attempt often fails; the next one mostly succeeds.
   if (state.phase != Phase::failed) return {};
@@ -79,6 +80,9 @@ Message describe_falcon(const PortFailure& f) {
   if (detail == u"no_hello")
     return {FalconText::tr("The Falcon is plugged in and does not answer."),
             FalconText::tr("Most often its power adapter is off. Plug the adapter in, then try again.")};
+  if (detail == u"late_answers")
+    return {FalconText::tr("The Falcon answers too late."),
+            FalconText::tr("Plug it into another USB socket of this computer, without a hub, then try again.")};
   if (f.code == PortError::io && !detail.isEmpty())
     return {FalconText::tr("The Falcon did not start."),
             FalconText::tr("Pull its power plug, wait five seconds, put it in, and try again. (%1)").arg(isolate(detail))};

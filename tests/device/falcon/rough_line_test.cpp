@@ -233,6 +233,22 @@ TEST(FalconPort, on_a_line_of_30_ms_nothing_is_fresh_and_no_force_leaves) {
   EXPECT_GT(ready.fresh, 100);
 }
 
+TEST(FalconPort, on_a_line_of_30_ms_it_does_not_open_and_reports_why) {
+  auto made = std::make_unique<RoughLink>(1);
+  RoughLink* const link = made.get();
+  link->set_weather({.in = 30ms, .in_later = 30ms}, 1s);
+  FalconPort port(std::move(made));
+  // A packet every 230 ms: some 45 until it gives up. One that never does is cancelled.
+  link->on_packet([&](const std::array<std::int16_t, 3>&) {
+    if (link->packets() >= 1000) port.cancel();
+  });
+  const auto opened = port.open();
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(opened.error().code, PortError::io);
+  EXPECT_EQ(opened.error().detail, "late_answers");
+  EXPECT_EQ(opened.error().where, "rough");
+}
+
 TEST(FalconPort, an_answer_beside_a_line_error_is_dropped_and_counted) {
   Ready ready;
   const auto before = ready.port->view().session.flawed;

@@ -41,5 +41,11 @@ TEST(FalconText, a_falcon_that_is_looked_for_comes_with_the_cause_and_the_way_ou
   EXPECT_TRUE(text(Phase::needs_image, Trouble::none).contains(QStringLiteral("name the file")));
 }
 
+TEST(FalconText, answers_that_come_too_late_are_the_cause_that_is_named) {
+  const Message late = describe_falcon({PortError::io, "FT000001", "late_answers"});
+  EXPECT_EQ(late.what, "The Falcon answers too late.");
+  EXPECT_TRUE(late.more.contains(QStringLiteral("USB socket")));
+}
+
 }  // namespace
 }  // namespace cusp::test
