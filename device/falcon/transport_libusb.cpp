@@ -6,6 +6,7 @@
 #include <optional>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "device/falcon/transport_bus.h"
 #include "device/falcon/wait_for_files.h"
@@ -139,9 +140,12 @@ class UsbLink final : public FalconLink {
       case LIBUSB_TRANSFER_NO_DEVICE:
         lose();
         break;
+      case LIBUSB_TRANSFER_STALL:
+        if (&slot != &control_) stalled_ = true;  // the next request clears a stall of its own
+        queue(LinkEvent::Kind::failed);
+        break;
       case LIBUSB_TRANSFER_ERROR:
       case LIBUSB_TRANSFER_TIMED_OUT:
-      case LIBUSB_TRANSFER_STALL:
       case LIBUSB_TRANSFER_OVERFLOW:
         queue(LinkEvent::Kind::failed);
         break;
@@ -202,6 +206,9 @@ class UsbLink final : public FalconLink {
         outcome = claimed == LIBUSB_ERROR_NO_DEVICE ? LinkEvent::Kind::absent : LinkEvent::Kind::busy;
         if (!wanted_.empty() || known_) return outcome;
         continue;  // another program holds the first: the next may be free
+      }
+      if (std::exchange(stalled_, false)) {
+        for (const std::uint8_t endpoint : {kInEndpoint, kOutEndpoint}) libusb_clear_halt(handle, endpoint);
       }
       handle_ = handle;
       name_ = serial.empty() ? port : serial;
@@ -339,7 +346,8 @@ class UsbLink final : public FalconLink {
   std::optional<Known> known_;
   libusb_device_handle* handle_ = nullptr;
   bool lost_ = false, closing_ = false;
-  std::thread opener_;  // while it can be joined, handle_, name_ and known_ are its own
+  bool stalled_ = false;  // an endpoint has refused a transfer, and refuses all until it is cleared: closing does not clear it
+  std::thread opener_;  // while it can be joined, handle_, name_, known_ and stalled_ are its own
   std::atomic<LinkEvent::Kind> found_{LinkEvent::Kind::time};
   Slot control_;
   std::array<Slot, kReads> reads_{};

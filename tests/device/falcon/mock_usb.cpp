@@ -198,7 +198,14 @@ gboolean MockFalcon::ioctl(UMockdevIoctlClient* client) {
       kernel_driver_ = false;
       umockdev_ioctl_client_complete(client, 0, 0);
     }
-  } else if (request == USBDEVFS_RELEASEINTERFACE || request == USBDEVFS_CLEAR_HALT || request == USBDEVFS_RESET ||
+  } else if (request == USBDEVFS_CLEAR_HALT) {
+    UMockdevIoctlData* endpoint = umockdev_ioctl_data_resolve(argument, 0, sizeof(unsigned), nullptr);
+    unsigned cleared = 0;
+    std::memcpy(&cleared, endpoint->data, sizeof cleared);
+    if (cleared == stalled_) stalled_ = 0;
+    umockdev_ioctl_client_complete(client, 0, 0);
+    umockdev_ioctl_data_unref(endpoint);
+  } else if (request == USBDEVFS_RELEASEINTERFACE || request == USBDEVFS_RESET ||
              request == USBDEVFS_SETCONFIGURATION || request == USBDEVFS_SETINTERFACE) {
     umockdev_ioctl_client_complete(client, 0, 0);
   } else if (request == USBDEVFS_SUBMITURB) {
@@ -222,6 +229,10 @@ bool MockFalcon::submit(UMockdevIoctlClient* client, UMockdevIoctlData* argument
   urb->urb()->status = 0;
   if (urb->urb()->type == USBDEVFS_URB_TYPE_CONTROL) {
     answer_control(*urb);
+    done_.push_back(std::move(urb));
+  } else if (urb->urb()->endpoint == stalled_) {
+    urb->urb()->actual_length = 0;
+    urb->urb()->status = -EPIPE;
     done_.push_back(std::move(urb));
   } else if ((urb->urb()->endpoint & 0x80) != 0) {
     urb->urb()->actual_length = 0;

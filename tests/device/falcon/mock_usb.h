@@ -44,6 +44,10 @@ class MockFalcon {
   void set_claimed_elsewhere(bool claimed) {
     with([&](auto&) { claimed_elsewhere_ = claimed; });
   }
+  /// The endpoint refuses every transfer until the host clears it.
+  void stall(std::uint8_t endpoint) {
+    with([&](auto&) { stalled_ = endpoint; });
+  }
   std::uint64_t requests() {
     return with([&](auto&) { return requests_; });
   }
@@ -67,6 +71,7 @@ class MockFalcon {
   UMockdevIoctlBase* base_ = nullptr;
   std::vector<std::unique_ptr<Urb>> waiting_, done_;
   bool plugged_ = false, attached_ = false, kernel_driver_ = false, claimed_elsewhere_ = false;
+  unsigned stalled_ = 0;  // endpoint; 0: none
   std::uint64_t requests_ = 0;
 };
 

@@ -139,6 +139,19 @@ TEST(FalconUsb, unplugged_while_drilling_it_is_gone_and_found_again) {
   EXPECT_LT(ticks, 1000);
 }
 
+TEST(FalconUsb, an_endpoint_that_stalls_is_cleared_and_the_device_found_again) {
+  MockFalcon device(bus(), 2, "1-1", "", quick_running());
+  device.plug();
+  auto port = port_to("");
+  ASSERT_TRUE(port->open());
+  ASSERT_TRUE(home(*port, device));
+  device.stall(falcon::kOutEndpoint);
+  int ticks = 0;
+  while (tick(*port, {.force_n = Vec3(1)}).status != Sample::Status::gone && ++ticks < 1000) continue;
+  ASSERT_LT(ticks, 1000);
+  EXPECT_TRUE(home(*port, device));
+}
+
 TEST(FalconUsb, unplugged_while_loading_it_is_loaded_again) {
   MockFalcon device(bus(), 2, "1-1", "", quick());
   device.with([](Emulator& falcon) { falcon.swallow_echo_at(2000); });  // the upload stands still here
