@@ -319,6 +319,28 @@ def unread_pipes(desk):
     check(os.path.exists(listed), "what follows the output was not done")
 
 
+    reading, writing = os.pipe()
+    os.close(reading)
+    done = subprocess.run([desk.cusp, "-platform", "offscreen", "--saef"], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=writing,
+                          timeout=HUNG_S, env=desk.environment())
+    os.close(writing)
+    check(done.returncode == 2, f"the window without a reader of its messages: exit {done.returncode}")
+
+
+def closed_streams(desk):
+    """What goes to a closed stream goes into no other file, and lost output is no success."""
+    for arguments in (("template", "list"), ("template", "list", "--json", "-"), ("--version",)):
+        done = subprocess.run([desk.cusp, *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                              timeout=HUNG_S, env=desk.environment(), preexec_fn=lambda: os.close(1))
+        check(done.returncode == 1 and "standard output" in done.stderr and "Bad file descriptor" in done.stderr,
+              f"{arguments} without stdout: exit {done.returncode}: {done.stderr}")
+        one_sentence(done.stderr, f"{arguments} without stdout")
+    status, listed, _ = desk.run("template", "list")
+    done = subprocess.run([desk.cusp, "template", "list"], stdout=subprocess.PIPE, text=True, timeout=HUNG_S, env=desk.environment(),
+                          preexec_fn=lambda: (os.close(0), os.close(2)))
+    check(status == 0 and done.returncode == 0 and done.stdout == listed, f"without stdin and stderr: exit {done.returncode}: {done.stdout}")
+
+
 def causes(desk):
     """What cannot be written is named with the system's reason, and what was there before stays."""
     nowhere, folder, missing, directory = desk.path("none", "f"), desk.path("a-folder"), "No such file or directory", "Is a directory"
@@ -426,6 +448,7 @@ with Desk(sys.argv[1]) as the_desk:
     no_files(the_desk)
     outputs(the_desk)
     unread_pipes(the_desk)
+    closed_streams(the_desk)
     causes(the_desk)
     file_sizes(the_desk)
     disks(the_desk)

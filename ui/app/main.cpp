@@ -15,6 +15,7 @@
 #include "ui/app/accessible_parts.h"
 #include "ui/app/desktop.h"
 #include "ui/app/run_marker.h"
+#include "ui/cli/terminal.h"
 #include "ui/cli/verbs.h"
 #include "ui/device/hid_settings.h"
 #include "ui/render/opengl_allowed.h"
@@ -38,7 +39,9 @@ void run_in_turns(const Steps& steps, std::size_t next = 0) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  cusp::ui::hold_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the process's file-size limit then fails with EFBIG
+  std::signal(SIGPIPE, SIG_IGN);  // a write to a pipe that its reader has closed then fails with EPIPE, and the program goes on
   if (cusp::ui::is_verb(argc, argv) || cusp::ui::no_display(argc, argv)) return cusp::ui::run_verb(argc, argv);
 
   QApplication app(argc, argv);

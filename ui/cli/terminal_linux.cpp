@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -13,6 +14,14 @@ namespace {
 /// Bytes: one more than an acceptable password (storage/base/password.h), so that a longer one cut here matches none.
 constexpr std::size_t kMostSecret = 1025;
 }  // namespace
+
+void hold_standard_streams() noexcept {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) >= 0) continue;
+    // It gets the lowest free number, this one; of the wrong way, so that each use fails with EBADF.
+    static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+  }
+}
 
 std::string read_secret(const std::string& prompt) {
   termios before{};

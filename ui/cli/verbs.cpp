@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <clocale>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <sstream>
@@ -103,7 +102,6 @@ std::optional<int> refuse_files(const QStringList& files) {
 
 int run_verb(int argc, char** argv) {
   if (const auto status = import_child_main(argc, argv)) return *status;
-  std::signal(SIGPIPE, SIG_IGN);  // a write to a pipe that its reader has closed then fails with EPIPE, and the verb goes on
   // A verb prints one line when it fails, and Qt's remarks about the session it runs in are none of it.
   qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {
     if (type == QtFatalMsg) std::fprintf(stderr, "cusp: %s\n", qUtf8Printable(message));
