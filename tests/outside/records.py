@@ -163,6 +163,8 @@ def thinning(desk, database):
     nowhere = ("--json", desk.path("no folder", "thinned.json"))  # what went is named all the same
     status, out, err = desk.run("thin", thinned, "--older-than", "36500", "--clock-is-right", *nowhere, *as_admin, **secret)
     check(status == 1 and "0 recording" in out and nowhere[1] in err, f"nothing is a hundred years old: {out}{err}")
+    status, out, err = desk.run("thin", thinned, "--older-than", "0100", "--dry-run", "--clock-is-right", "--json", "-", *as_admin, **secret)
+    check(status == 0 and json.loads(out)["older_than_days"] == 100, f"a hundred days with a zero in front: {out}{err}")
     status, out, err = desk.run(*recent, "--dry-run", *as_admin, **secret)
     would = json.loads(out)
     check(status == 0 and would["attempts"] == 1 and would["dry_run"], f"a dry run: {out}{err}")
@@ -199,6 +201,9 @@ def retention(desk, database):
     for dry in (("--dry-run",), ()):
         status, out, err = desk.run("retain", restored, "--years", "100", "--clock-is-right", "--json", "-", *dry, *as_admin, **secret)
         check(status == 0 and json.loads(out)["erased"] == [], f"nobody is gone for a hundred years: {out}{err}")
+    for typed, years in (("010", 10), ("08", 8)):
+        status, out, err = desk.run("retain", restored, "--years", typed, "--clock-is-right", "--json", "-", "--dry-run", *as_admin, **secret)
+        check(status == 0 and json.loads(out)["years"] == years, f"{typed} years: {out}{err}")
     with contextlib.closing(sqlite3.connect(restored)) as db:
         half_a_year_and_more = 200 * 86_400_000_000
         db.execute("UPDATE people SET created_at = created_at - ?", (half_a_year_and_more,))

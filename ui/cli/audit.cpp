@@ -158,6 +158,7 @@ void add_audit(CLI::App& program, Job& job) {
                                  "same; scripted operators drill it many times, which takes minutes")));
   verb->add_option("SCENARIO", o->scenario, help(CliText::tr("A scenario.json, its folder, or a built-in one")))->required()->check(check_not_empty);
   verb->add_option("--seeds", o->seeds, help(CliText::tr("Attempts of each scripted operator: expert, competent and novice")))
+      ->transform(decimal)
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   verb->add_flag("--detail", o->detail, help(CliText::tr("Only the size of the voxels: minutes, between neighbouring teeth hours")));

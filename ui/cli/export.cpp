@@ -286,6 +286,7 @@ void add_filters(CLI::App& verb, ExportOptions& o) {
       add_named(verb, "--exercise", o.exercise, CliText::tr("Only attempts at this exercise: its key or id"))->type_name("KEY");
   verb.add_option("--exercise-version", o.version, help(CliText::tr("Only attempts at this version of the exercise")))
       ->type_name("N")
+      ->transform(decimal)
       ->check(check_counting)
       ->needs(exercise);
   of_attempts.push_back(verb.add_option("--student", o.student, help(CliText::tr("Part of a name or number")))->type_name("TEXT"));

@@ -262,7 +262,7 @@ void add_history(CLI::App& program, Job& job) {
 
   CLI::App* list_of = verb->add_subcommand("list", help(CliText::tr("Sessions, newest first")));
   list_of->add_option("--student", o->student, help(CliText::tr("Part of a name or number")))->type_name("TEXT");
-  list_of->add_option("--limit", o->limit, help(CliText::tr("At most so many")))->type_name("N")->check(check_counting);
+  list_of->add_option("--limit", o->limit, help(CliText::tr("At most so many")))->type_name("N")->transform(decimal)->check(check_counting);
   CLI::App* show_one = verb->add_subcommand("show", help(CliText::tr("One session: events, removed tissue, grade")));
   show_one->add_option("SESSION", o->session, help(CliText::tr("The session's id")))->required();
   CLI::App* verify_all = verb->add_subcommand("verify", help(CliText::tr("The file, each session's chain, and the audit log")));

@@ -161,7 +161,7 @@ void add_play(CLI::App& program, Job& job) {
                    help(CliText::tr("expert, competent, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs")))
       ->type_name("HAND")
       ->capture_default_str();
-  const CLI::Option* seed = verb->add_option("--seed", o->seed, help(CliText::tr("Of the scripted operator's tremor")))->check(check_whole)->capture_default_str();
+  const CLI::Option* seed = verb->add_option("--seed", o->seed, help(CliText::tr("Of the scripted operator's tremor")))->transform(decimal)->check(check_whole)->capture_default_str();
   verb->add_flag("--progress", o->progress, help(CliText::tr("Print each second of the session to stderr as it is played")));
   verb->add_option("--device", o->device,
                    help(CliText::tr("Play in real time on a device: falcon, falcon:NAME (held by a person) or emulated-falcon "

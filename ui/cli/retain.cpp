@@ -71,6 +71,7 @@ void add_retain(CLI::App& program, Job& job) {
   verb->add_option("--years", o->years, help(CliText::tr("Years without an attempt, as the school has decided")))
       ->type_name("N")
       ->required()
+      ->transform(decimal)
       ->check(CLI::Range(1, kMostRetainedYears));
   verb->add_flag("--dry-run", o->dry_run, help(CliText::tr("Only say who would be erased")));
   o->clock.add_to(*verb);

@@ -99,8 +99,8 @@ void add_specimen(CLI::App& program, Job& job) {
   verb->add_option("KIND", o->source.generator, help(CliText::tr("tooth, block, layered-block or paper-block")))
       ->required()
       ->check(CLI::IsMember({"tooth", "block", "layered-block", "paper-block"}));
-  verb->add_option("--fdi", o->source.fdi, help(CliText::tr("Tooth number, 11 to 48")))->capture_default_str();
-  verb->add_option("--seed", o->source.seed, help(CliText::tr("Natural variation; 0 = the average tooth")))->check(check_whole)->capture_default_str();
+  verb->add_option("--fdi", o->source.fdi, help(CliText::tr("Tooth number, 11 to 48")))->transform(decimal)->capture_default_str();
+  verb->add_option("--seed", o->source.seed, help(CliText::tr("Natural variation; 0 = the average tooth")))->transform(decimal)->check(check_whole)->capture_default_str();
   verb->add_option("--voxel-mm", o->source.voxel_mm, help(CliText::tr("Edge of a voxel in millimetres")))
       ->check(check_positive)
       ->capture_default_str();

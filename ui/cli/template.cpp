@@ -177,8 +177,8 @@ void add_template(CLI::App& program, Job& job) {
   listed->callback([&job, o] { job = [o] { return list(o->json); }; });
   CLI::App* fitted = verb->add_subcommand("fit", help(CliText::tr("Write the exercise of a template on a tooth: scenario.json in DIR")));
   fitted->add_option("KEY", o->key, help(CliText::tr("The template's key")))->required();
-  fitted->add_option("--tooth", o->tooth, help(CliText::tr("FDI number of a premolar or molar")))->required();
-  CLI::Option* seed = fitted->add_option("--seed", o->seed, help(CliText::tr("Natural variation; 0 = the average tooth")))->check(check_whole)->capture_default_str();
+  fitted->add_option("--tooth", o->tooth, help(CliText::tr("FDI number of a premolar or molar")))->required()->transform(decimal);
+  CLI::Option* seed = fitted->add_option("--seed", o->seed, help(CliText::tr("Natural variation; 0 = the average tooth")))->transform(decimal)->check(check_whole)->capture_default_str();
   fitted->add_option("--volume", o->volume, help(CliText::tr("A tooth of your own (NRRD), its landmarks proposed; it is copied to DIR")))
       ->type_name("FILE")
       ->check(check_not_empty)

@@ -76,6 +76,7 @@ void add_thin(CLI::App& program, Job& job) {
   verb->add_option("DB", o->db, help(CliText::tr("Database")))->required()->check(check_not_empty);
   verb->add_option("--older-than", o->older_than_days, help(CliText::tr("Days since an attempt ended")))
       ->type_name("DAYS")
+      ->transform(decimal)
       ->check(CLI::Range(1, kMostThinAfterDays))
       ->capture_default_str();
   verb->add_flag("--dry-run", o->dry_run, help(CliText::tr("Only say what would go, and what stays and why")));

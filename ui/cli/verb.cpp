@@ -1,5 +1,6 @@
 #include "ui/cli/verb.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -90,6 +91,11 @@ std::string check_whole(const std::string& typed) {
 std::string check_counting(const std::string& typed) {
   if (number_typed<std::uint64_t>(typed).value_or(0) > 0) return {};
   return help(no_whole_number_from_1(shown_typed(typed)));
+}
+
+std::string decimal(const std::string& typed) {
+  if (typed.empty() || typed.find_first_not_of("0123456789") != std::string::npos) return typed;
+  return typed.substr(std::min(typed.find_first_not_of('0'), typed.size() - 1));
 }
 
 std::string check_not_empty(const std::string& typed) {

@@ -102,6 +102,8 @@ std::string check_not_negative(const std::string& typed);  // a finite number fr
 std::string check_positive(const std::string& typed);      // a finite number above 0
 std::string check_whole(const std::string& typed);         // a whole number from 0 to 2^64 - 1
 std::string check_counting(const std::string& typed);      // a whole number from 1 to 2^64 - 1
+/// A transform of CLI11, for every whole number: leaves out the zeros in front, with which CLI11 reads a number as octal.
+std::string decimal(const std::string& typed);
 /// Not empty, as a variable of a shell that is not set: an empty name would count as none, and other records or files be taken.
 std::string check_not_empty(const std::string& typed);
 /// Neither empty nor -, of what is never written to stdout.
