@@ -1,9 +1,9 @@
 #include "ui/render/snapshot.h"
 
 #include <algorithm>
+#include <future>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "ui/render/gl_context_egl.h"
 #include "ui/render/place_view.h"
@@ -109,9 +109,7 @@ Result<Picture, PictureFailure> draw_here(const Volume& volume, const PictureReq
 
 Result<Picture, PictureFailure> draw_tooth(const Volume& volume, const PictureRequest& request) {
   // A window's thread may hold the window's context, and cannot have a second one of another kind beside it.
-  std::optional<Result<Picture, PictureFailure>> drawn;
-  std::thread([&] { drawn.emplace(draw_here(volume, request)); }).join();
-  return std::move(*drawn);
+  return std::async(std::launch::async, [&] { return draw_here(volume, request); }).get();
 }
 
 }  // namespace cusp::ui

@@ -1,5 +1,6 @@
 /// The tooth as a picture, without a window: for reports and verbs. Any thread, also a window's: each picture is
-/// drawn with a context of its own on a thread of its own, and the caller waits for it.
+/// drawn with a context of its own on a thread of its own, and the caller waits for it. An exception of the
+/// drawing, as std::bad_alloc, reaches the caller.
 #pragma once
 
 #include <optional>

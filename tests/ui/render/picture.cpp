@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <new>
 #include <thread>
 
 #include "tests/modules.h"
@@ -85,6 +86,13 @@ TEST_F(Drawn, a_picture_leaves_the_callers_context_as_it_was) {
   EXPECT_EQ(own->read_rgba(), before);
   picture->draw(scene, 64, 64);
   EXPECT_EQ(own->failed_call(), "");
+}
+
+TEST_F(Drawn, memory_that_is_lacking_is_thrown_to_the_caller) {
+  PictureRequest request = small();
+  request.sideways_mm = [](Vec3) -> double { throw std::bad_alloc(); };
+  EXPECT_THROW(static_cast<void>(draw_tooth(ball_volume(), request)), std::bad_alloc);
+  EXPECT_TRUE(draw_tooth(ball_volume(), small()));
 }
 
 TEST_F(Drawn, pictures_drawn_on_two_threads_do_not_end_each_others_display) {
