@@ -1,7 +1,9 @@
-"""./run beside stand-ins for dpkg, apt, cmake and the program: what it installs, when it asks for root, and where the program runs.
+"""./run beside stand-ins for dpkg, apt, cmake and the program: what it installs, when it asks for root, what it waits for, and where the
+program runs.
 
     python3 tests/clean_root/set_up.py
 """
+import fcntl
 import os
 import shutil
 import subprocess
@@ -23,17 +25,23 @@ def write(path, text):
         f.write(text)
 
 
-def run(folder, *arguments, sudo, **environment):
+def tools_in(folder, sudo):
+    """A PATH with the stand-ins and little else."""
     tools = os.path.join(folder, "tools")
     os.makedirs(tools, exist_ok=True)
     for name, what in STAND_INS.items():
         write(os.path.join(tools, name), f"#!/bin/bash\n{what}\n")
         os.chmod(os.path.join(tools, name), 0o755)
-    for name in ("bash", "env", "grep", "cat", "mkdir", "touch"):
+    for name in ("bash", "env", "flock", "grep", "cat", "mkdir", "touch"):
         if not os.path.exists(os.path.join(tools, name)):
             os.symlink(shutil.which(name), os.path.join(tools, name))
     if not sudo:
         os.remove(os.path.join(tools, "sudo"))
+    return tools
+
+
+def run(folder, *arguments, sudo, **environment):
+    tools = tools_in(folder, sudo)
     write(os.path.join(folder, "log"), "")
     done = subprocess.run([os.path.join(folder, "a tree", "run"), *arguments], cwd=folder, capture_output=True, text=True,
                           env=dict(PATH=tools, STATE=folder, **environment))
@@ -72,3 +80,18 @@ with tempfile.TemporaryDirectory(prefix="cusp-set-up-") as state:
                                 (dict(QT_QPA_PLATFORM="offscreen"), False), (dict(QT_QPA_PLATFORM="xcb"), False), (dict(), False)):
         status, said, log = run(state, sudo=True, HOME=state, **environment)
         check(status == 0 and ("No display" not in said) == window, f"{environment}: {said}")
+    status, said, log = run(state, sudo=True)
+    check(status == 0 and os.path.isdir(os.path.join(tree, "build/cusp/demonstration")), f"without a home: {said}")
+
+    os.makedirs(os.path.join(state, "elsewhere", "a tree"))
+    done = subprocess.run(["a tree/run", "validate"], cwd=state, capture_output=True, text=True,
+                          env=dict(PATH=tools_in(state, True), STATE=state, CDPATH=os.path.join(state, "elsewhere")))
+    check(done.returncode == 0 and f"in {state}: validate" in done.stdout, f"with CDPATH: {done.stdout}{done.stderr}")
+
+    with open(os.path.join(tree, "build/.lock"), "w", encoding="utf-8") as held:
+        fcntl.flock(held, fcntl.LOCK_EX)
+        second = subprocess.Popen([os.path.join(tree, "run"), "validate"], cwd=state, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                  env=dict(PATH=tools_in(state, True), STATE=state))
+        said = second.stderr.readline()
+    out, err = second.communicate()
+    check("Waiting" in said and second.returncode == 0 and f"in {state}: validate" in out, f"beside another build: {said}{out}{err}")
