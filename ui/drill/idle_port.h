@@ -5,7 +5,8 @@
 #include <atomic>
 #include <memory>
 
-#include "device/hid/pedalled_port.h"
+#include "engine/base/haptic_port.h"
+#include "engine/base/pedal_source.h"
 #include "ui/modules.h"
 #include "ui/session/held_cut.h"
 
@@ -14,7 +15,7 @@ namespace cusp::ui {
 class IdlePort final : public HapticPort {
  public:
   /// `pedal` may be null.
-  IdlePort(std::unique_ptr<HapticPort> port, std::shared_ptr<const PedalSource> pedal) : device_(std::move(port)), port_(*device_, std::move(pedal)) {}
+  IdlePort(std::unique_ptr<HapticPort> port, std::shared_ptr<const PedalSource> pedal) : port_(std::move(port)), pedal_(std::move(pedal)) {}
 
   /// Any thread. The first sample after `false` re-arms: the force ramps in, as after a pause, and a cut that is held counts once it
   /// was released.
@@ -23,16 +24,16 @@ class IdlePort final : public HapticPort {
   /// Any thread. Whether a cut is held, since a question that is over, that counts for nothing.
   bool ignores_cut() const noexcept { return ignores_cut_.load(std::memory_order_acquire); }
 
-  Result<void, PortFailure> open() override { return port_.open(); }
+  Result<void, PortFailure> open() override { return port_->open(); }
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override;
-  bool over() const noexcept override { return port_.over(); }
+  bool over() const noexcept override { return port_->over(); }
   void write(const Feedback& feedback) noexcept override;
-  DeviceLimits limits() const override { return port_.limits(); }
-  void close() noexcept override { port_.close(); }
+  DeviceLimits limits() const override { return port_->limits(); }
+  void close() noexcept override { port_->close(); }
 
  private:
-  std::unique_ptr<HapticPort> device_;
-  PedalledPort port_;
+  std::unique_ptr<HapticPort> port_;
+  std::shared_ptr<const PedalSource> pedal_;
   std::atomic<bool> idle_{false}, ignores_cut_{false};
   // The haptic thread's.
   HeldCut held_;

@@ -6,7 +6,7 @@
 #include <future>
 #include <thread>
 
-#include "device/hid/pedalled_port.h"
+#include "device/hid/pedalled_sample.h"
 #include "engine/loop/haptic_loop.h"
 #include "engine/loop/realtime.h"
 #include "engine/mirror/fragment_finder.h"
@@ -60,10 +60,12 @@ Result<void, PortFailure> open_port(const std::shared_ptr<HapticPort>& port, con
 
 /// Watches the loop that reads it. Pauses it before the first tick after a driver, or the whole process, stood still for longer than
 /// kSilent: that tick would add the whole time to the session's clock, and a device that does not answer may not use up a time limit.
-/// view() shows the pause as what the guard would have made of that tick. `held`: of a hand; a scripted operator knows what it presses.
+/// view() shows the pause as what the guard would have made of that tick. `pedal`: a foot pedal, or null. `held`: of a hand; a scripted
+/// operator knows what it presses.
 class WatchingPort final : public HapticPort {
  public:
-  WatchingPort(HapticPort& port, const std::optional<HeldCut>& held) : port_(port), held_(held) {}
+  WatchingPort(HapticPort& port, std::shared_ptr<const PedalSource> pedal, const std::optional<HeldCut>& held)
+      : port_(port), pedal_(std::move(pedal)), held_(held) {}
   /// Before the loop starts.
   void watch(HapticLoop& loop) noexcept { loop_ = &loop; }
 
@@ -71,6 +73,7 @@ class WatchingPort final : public HapticPort {
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
     Sample sample = port_.wait(deadline);
     const auto now = std::chrono::steady_clock::now();
+    sample = pedalled(sample, pedal_.get(), now);
     const LoopPhase phase = loop_->hand_over().phase.load(std::memory_order_acquire);
     // As the guard has it, the first sample cannot be late.
     const bool stood = before_ && now - *before_ > kSilent;
@@ -95,6 +98,7 @@ class WatchingPort final : public HapticPort {
 
  private:
   HapticPort& port_;
+  std::shared_ptr<const PedalSource> pedal_;
   HapticLoop* loop_ = nullptr;
   std::optional<HeldCut> held_;
   std::optional<std::chrono::steady_clock::time_point> before_;  // end of the wait() before
@@ -107,14 +111,12 @@ struct ExerciseSession::Inner {
   struct Driven {
     Driven(std::shared_ptr<HapticPort> device_port, const SessionPlan& plan, StepState start)
         : port(std::move(device_port)),
-          with_pedal(*port, plan.pedal),
-          watching(with_pedal, plan.operator_name == kUserOperator ? std::optional(HeldCut()) : std::nullopt),
+          watching(*port, plan.pedal, plan.operator_name == kUserOperator ? std::optional(HeldCut()) : std::nullopt),
           loop(watching, std::move(start)) {
       watching.watch(loop);
     }
 
     std::shared_ptr<HapticPort> port;
-    PedalledPort with_pedal;
     WatchingPort watching;  // what the loop reads
     HapticLoop loop;
 

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "device/hid/hid_station.h"
-#include "device/hid/pedalled_port.h"
+#include "device/hid/pedalled_sample.h"
 #include "device/hid/permissions.h"
 #include "device/hid/settings_text.h"
 #include "tests/device/hid/desk.h"
@@ -146,43 +146,28 @@ TEST(SpaceMouseReader, follows_the_six_axes_of_a_receiver_and_not_its_keyboard) 
   EXPECT_TRUE(view().motion.still());
 }
 
-/// A device that reports what a test sets.
-class SetPort final : public HapticPort {
- public:
-  Sample sample;
-  Result<void, PortFailure> open() override { return {}; }
-  Sample wait(std::chrono::steady_clock::time_point) noexcept override { return sample; }
-  void write(const Feedback&) noexcept override {}
-  DeviceLimits limits() const override {
-    DeviceLimits limits;
-    limits.device_class = "set";
-    return limits;
-  }
-  void close() noexcept override {}
-};
-
 struct SetPedal final : PedalSource {
   PedalReading reading;
   PedalReading latest(std::chrono::steady_clock::time_point) const noexcept override { return reading; }
 };
 
-TEST(PedalledPort, whichever_is_further_down_counts) {
-  SetPort port;
-  auto pedal = std::make_shared<SetPedal>();
-  PedalledPort both(port, pedal);
-  port.sample.status = Sample::Status::fresh;
-  EXPECT_EQ(both.wait({}).buttons, 0);
-  pedal->reading = {20000, false};
-  EXPECT_EQ(both.wait({}).pedal, 20000);
-  EXPECT_EQ(both.wait({}).buttons, 1);
-  port.sample.pedal = 65535;
-  port.sample.buttons = 1;
-  EXPECT_EQ(both.wait({}).pedal, 65535);
-  pedal->reading = {0, true};
-  EXPECT_EQ(both.wait({}).buttons, 3);
-  port.sample = {};  // gone: nothing is held down
-  EXPECT_EQ(both.wait({}).buttons, 0);
-  EXPECT_EQ(both.limits().device_class, "set");
+TEST(PedalledSample, whichever_is_further_down_counts) {
+  SetPedal pedal;
+  Sample device;
+  device.status = Sample::Status::fresh;
+  const auto both = [&] { return pedalled(device, &pedal, {}); };
+  EXPECT_EQ(both().buttons, 0);
+  pedal.reading = {20000, false};
+  EXPECT_EQ(both().pedal, 20000);
+  EXPECT_EQ(both().buttons, 1);
+  EXPECT_EQ(pedalled(device, nullptr, {}).pedal, 0) << "without a pedal";
+  device.pedal = 65535;
+  device.buttons = 1;
+  EXPECT_EQ(both().pedal, 65535);
+  pedal.reading = {0, true};
+  EXPECT_EQ(both().buttons, 3);
+  device = {};  // gone: nothing is held down
+  EXPECT_EQ(both().buttons, 0);
 }
 
 TEST(HidSettings, come_back_from_text_as_they_were_and_rubbish_is_the_usual) {
