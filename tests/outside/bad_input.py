@@ -93,10 +93,11 @@ def audits(desk):
     refused(desk, "figures into no folder", "audit", small, "--json", desk.path("none", "f.json"), names=("f.json",))
     os.mkdir(desk.path("folder.json"))
     refused(desk, "figures over a folder", "audit", small, "--json", desk.path("folder.json"), names=("folder.json",))
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         there = sorted(os.listdir(desk.folder))
         with subprocess.Popen([desk.cusp, "audit", small, "--seeds", "1", "--apply", "--progress"], stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=desk.environment()) as run:
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=desk.environment(),
+                              preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL)) as run:  # nohup may have it ignored
             check("%" in run.stderr.readline(), "no progress was printed")
             run.send_signal(number)
             out, err = run.communicate(timeout=HUNG_S)

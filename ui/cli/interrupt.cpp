@@ -17,6 +17,9 @@ void on_interrupt(int) { g_interrupted = true; }
 void catch_interrupt() noexcept {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
+#ifdef SIGHUP
+  if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as nohup sets it
+#endif
 }
 
 bool interrupted() noexcept { return g_interrupted; }

@@ -5,7 +5,7 @@
 
 namespace cusp::ui {
 
-/// From now on Ctrl+C and SIGTERM no longer end the program. Any thread; once a program is enough.
+/// From now on Ctrl+C, SIGTERM and the closing of the terminal no longer end the program. Any thread; once a program is enough.
 void catch_interrupt() noexcept;
 
 /// True from the first of them after catch_interrupt(). Any thread.
