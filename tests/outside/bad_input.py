@@ -5,6 +5,7 @@
 import contextlib
 import json
 import os
+import pty
 import resource
 import shutil
 import signal
@@ -12,6 +13,7 @@ import sqlite3
 import stat
 import subprocess
 import sys
+import termios
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from desk import HUNG_S, Desk, check, integrity, one_sentence  # noqa: E402
@@ -227,6 +229,39 @@ def no_files(desk):
                               env=desk.environment())
     check(done.returncode == 1 and done.stdout == "", f"a password without an end: exit {done.returncode}: {done.stdout}{done.stderr}")
     one_sentence(done.stderr, "a password without an end")
+
+
+def prompts(desk):
+    """Ctrl+C while a password is typed: the terminal shows again what is typed."""
+    terminal, end = pty.openpty()
+
+    def shows():
+        return bool(termios.tcgetattr(end)[3] & termios.ECHO)
+
+    def wait_for_prompt(run):
+        asked = b""
+        while not asked.endswith(b": "):
+            read = run.stderr.read(1)
+            check(read != b"", f"no password was asked for: {asked}")
+            asked += read
+
+    for number in (signal.SIGINT, signal.SIGTERM):
+        check(shows(), "a new terminal shows what is typed")
+        with subprocess.Popen([desk.cusp, "history", desk.path("good.db"), "list", "--as", "nobody"], stdin=end, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, env=desk.environment(), preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)) as run:
+            wait_for_prompt(run)
+            check(not shows(), "a password is shown while it is typed")
+            run.send_signal(number)
+            run.communicate(timeout=HUNG_S)
+        check(run.returncode == -number and shows(), f"stopped at the password: exit {run.returncode}")
+    with subprocess.Popen([desk.cusp, "history", desk.path("good.db"), "list", "--as", "nobody"], stdin=end, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, env=desk.environment()) as run:
+        wait_for_prompt(run)
+        os.write(terminal, b"wrong\n")
+        _, err = run.communicate(timeout=HUNG_S)
+    check(run.returncode == 1 and b"nobody" in err and shows(), f"a password that was typed: exit {run.returncode}: {err}")
+    os.close(terminal)
+    os.close(end)
 
 
 def usage(desk):
@@ -447,6 +482,7 @@ with Desk(sys.argv[1]) as the_desk:
     audits_of_what_changes(the_desk)
     databases(the_desk)
     no_files(the_desk)
+    prompts(the_desk)
     outputs(the_desk)
     unread_pipes(the_desk)
     closed_streams(the_desk)
