@@ -5,7 +5,6 @@
 
 #include "device/hid/hid_station.h"
 #include "ui/app/desktop.h"
-#include "ui/device/falcon_text.h"
 #include "ui/device/space_mouse_turner.h"
 #include "ui/drill/drill_screen.h"
 #include "ui/modules.h"
@@ -13,6 +12,7 @@
 #include "ui/text/names.h"
 #include "ui/session/replay.h"
 #include "ui/settings/device_settings.h"
+#include "ui/text/falcon_text.h"
 #include "ui/view/tooth_view.h"
 
 namespace cusp::ui {
@@ -47,8 +47,7 @@ DrillScreen* Desktop::open_drilling(const SessionPlan& plan, const DrillText& te
   connect(screen, &DrillScreen::left, this, &Desktop::back);
   connect(screen, &DrillScreen::failed, this, [this, kind = device.kind](const SessionFailure& failure) {
     back();
-    const auto* port = std::get_if<PortError>(&failure.cause);
-    show_failure(port != nullptr && kind == "falcon" ? describe_falcon({*port, failure.where, failure.detail}) : describe(failure));
+    show_failure(describe_on_device(failure, kind));
   });
   push(screen);
   for (SpaceMouseTurner* turner : screen->findChildren<SpaceMouseTurner*>()) {

@@ -19,6 +19,7 @@
 #include "ui/session/play_through.h"
 #include "ui/session/scene_builder.h"
 #include "ui/settings/device_settings.h"
+#include "ui/text/falcon_text.h"
 
 namespace cusp::ui {
 
@@ -136,7 +137,7 @@ int play(const PlayOptions& o) {
                             .progress = o.progress};
   auto result = live ? play_live(std::move(plan), device, options, [] { return interrupted(); }, figures)
                      : play_through(std::move(plan), *port, settings);
-  if (!result) return failed(describe(result.error()));
+  if (!result) return failed(describe_on_device(result.error(), device.kind));
 
   const ReportOrder order{.student = *account, .reader = account->actor()};
   if (auto written = write_report_files(folder, *result, **store, order); !written) return failed(written.error());

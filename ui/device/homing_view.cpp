@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/device/falcon_text.h"
+#include "ui/text/falcon_text.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 

@@ -19,11 +19,11 @@
 #include "ui/settings/device_settings.h"
 #include "ui/device/device_page.h"
 #include "ui/device/falcon_panel.h"
-#include "ui/device/falcon_text.h"
 #include "ui/device/inverse_panel.h"
 #include "ui/device/self_test_report.h"
 #include "ui/device/trim_form.h"
 #include "ui/session/background_task.h"
+#include "ui/text/falcon_text.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/number_field.h"
 

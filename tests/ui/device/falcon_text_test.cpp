@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/modules.h"
-#include "ui/device/falcon_text.h"
 #include "ui/device/homing_view.h"
+#include "ui/text/falcon_text.h"
 
 namespace cusp::test {
 namespace {
@@ -45,6 +45,13 @@ TEST(FalconText, answers_that_come_too_late_are_the_cause_that_is_named) {
   const Message late = describe_falcon({PortError::io, "FT000001", "late_answers"});
   EXPECT_EQ(late.what, "The Falcon answers too late.");
   EXPECT_TRUE(late.more.contains(QStringLiteral("USB socket")));
+}
+
+TEST(FalconText, firmware_that_is_lacking_is_no_script) {
+  const SessionFailure lacking{.code = SessionError::device, .where = "FT000001", .detail = "needs_image", .cause = PortError::bad_file};
+  EXPECT_EQ(describe_on_device(lacking, "falcon").what, "The Falcon needs its firmware file.");
+  const SessionFailure broken{.code = SessionError::device, .where = "script.csv", .detail = "empty", .cause = PortError::bad_file};
+  EXPECT_EQ(describe_on_device(broken, "scripted").what, "The script cannot be read.");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "ui/device/falcon_text.h"
+#include "ui/text/falcon_text.h"
 
 #include "ui/text/names.h"
 #include "ui/widgets/format.h"
@@ -87,6 +87,11 @@ Message describe_falcon(const PortFailure& f) {
     return {FalconText::tr("The Falcon did not start."),
             FalconText::tr("Pull its power plug, wait five seconds, put it in, and try again. (%1)").arg(isolate(detail))};
   return describe(f);
+}
+
+Message describe_on_device(const SessionFailure& f, std::string_view kind) {
+  const auto* port = std::get_if<PortError>(&f.cause);
+  return port != nullptr && kind == "falcon" ? describe_falcon({*port, f.where, f.detail}) : describe(f);
 }
 
 Message describe_image(const falcon::ImageFailure& failure) {
