@@ -86,7 +86,7 @@ Message describe_falcon(const PortFailure& f) {
   if (f.code == PortError::io && !detail.isEmpty())
     return {FalconText::tr("The Falcon did not start."),
             FalconText::tr("Pull its power plug, wait five seconds, put it in, and try again. (%1)").arg(isolate(detail))};
-  return describe(f);
+  return describe(PortFailure{f.code, f.where.empty() ? "Falcon" : f.where, f.detail});  // the first one that is found has no name yet
 }
 
 Message describe_on_device(const SessionFailure& f, std::string_view kind) {

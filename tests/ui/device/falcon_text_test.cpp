@@ -47,6 +47,11 @@ TEST(FalconText, answers_that_come_too_late_are_the_cause_that_is_named) {
   EXPECT_TRUE(late.more.contains(QStringLiteral("USB socket")));
 }
 
+TEST(FalconText, a_falcon_that_nobody_named_is_called_one) {
+  EXPECT_TRUE(describe_falcon({PortError::not_found, {}, "absent"}).more.contains(QStringLiteral("Falcon")));
+  EXPECT_TRUE(describe_falcon({PortError::not_found, "FT000001", "absent"}).more.contains(QStringLiteral("FT000001")));
+}
+
 TEST(FalconText, firmware_that_is_lacking_is_no_script) {
   const SessionFailure lacking{.code = SessionError::device, .where = "FT000001", .detail = "needs_image", .cause = PortError::bad_file};
   EXPECT_EQ(describe_on_device(lacking, "falcon").what, "The Falcon needs its firmware file.");
