@@ -12,7 +12,7 @@
 #include "ui/text/names.h"
 #include "ui/session/replay.h"
 #include "ui/settings/device_settings.h"
-#include "ui/text/falcon_text.h"
+#include "ui/text/device_text.h"
 #include "ui/view/tooth_view.h"
 
 namespace cusp::ui {

@@ -19,7 +19,7 @@
 #include "ui/session/play_through.h"
 #include "ui/session/scene_builder.h"
 #include "ui/settings/device_settings.h"
-#include "ui/text/falcon_text.h"
+#include "ui/text/device_text.h"
 
 namespace cusp::ui {
 

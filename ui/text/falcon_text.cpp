@@ -89,11 +89,6 @@ Message describe_falcon(const PortFailure& f) {
   return describe(PortFailure{f.code, f.where.empty() ? "Falcon" : f.where, f.detail});  // the first one that is found has no name yet
 }
 
-Message describe_on_device(const SessionFailure& f, std::string_view kind) {
-  const auto* port = std::get_if<PortError>(&f.cause);
-  return port != nullptr && kind == "falcon" ? describe_falcon({*port, f.where, f.detail}) : describe(f);
-}
-
 Message describe_image(const falcon::ImageFailure& failure) {
   const QString what = FalconText::tr("This is no firmware of a Falcon.");
   const QString kept = FalconText::tr("The file that was named before is kept.");

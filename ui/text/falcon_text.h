@@ -3,7 +3,6 @@
 
 #include <QCoreApplication>
 #include <QString>
-#include <string_view>
 
 #include "device/falcon/self_test.h"
 #include "device/falcon/session.h"
@@ -24,8 +23,6 @@ QString help_text(const falcon::SessionState& state);
 QString homing_text(std::uint8_t homed);
 /// Why a Falcon did not open, and the way out.
 Message describe_falcon(const PortFailure& failure);
-/// Why an attempt did not start or go on, on a device of that kind (DeviceKind::key).
-Message describe_on_device(const SessionFailure& failure, std::string_view kind);
 /// Why a firmware file is refused, for a file that somebody named.
 Message describe_image(const falcon::ImageFailure& failure);
 /// Why a test is over; empty while it is not, and when it was done.

@@ -3,6 +3,7 @@
 
 #include "tests/modules.h"
 #include "ui/device/homing_view.h"
+#include "ui/text/device_text.h"
 #include "ui/text/falcon_text.h"
 
 namespace cusp::test {
@@ -57,6 +58,15 @@ TEST(FalconText, firmware_that_is_lacking_is_no_script) {
   EXPECT_EQ(describe_on_device(lacking, "falcon").what, "The Falcon needs its firmware file.");
   const SessionFailure broken{.code = SessionError::device, .where = "script.csv", .detail = "empty", .cause = PortError::bad_file};
   EXPECT_EQ(describe_on_device(broken, "scripted").what, "The script cannot be read.");
+}
+
+TEST(DeviceText, a_service_that_is_absent_and_one_without_an_inverse3_are_different_causes) {
+  const SessionFailure no_service{.code = SessionError::device, .where = "service", .cause = PortError::not_found};
+  const SessionFailure no_device{.code = SessionError::device, .where = "device", .cause = PortError::not_found};
+  EXPECT_EQ(describe_on_device(no_service, "inverse3").what, "The service of the Inverse3 does not answer.");
+  EXPECT_EQ(describe_on_device(no_device, "inverse3").what, "The Inverse3 was not found.");
+  const SessionFailure garbage{.code = SessionError::device, .where = "service", .detail = "garbage", .cause = PortError::io};
+  EXPECT_TRUE(describe_on_device(garbage, "inverse3").more.contains(QStringLiteral("garbage")));
 }
 
 }  // namespace
