@@ -22,7 +22,7 @@ class UsbWatch final : public FalconWatch {
 
   std::vector<FalconOnBus> list() override {
     std::vector<FalconOnBus> out;
-    std::map<std::string, FalconOnBus> known;
+    std::map<std::string, Known> known;
     const DeviceList devices(context_.get());
     for (libusb_device* device : devices.all()) {
       libusb_device_descriptor descriptor{};
@@ -30,9 +30,15 @@ class UsbWatch final : public FalconWatch {
       const std::string port = port_of(device);
       const std::string key = port + "/" + std::to_string(libusb_get_device_address(device));
       const auto before = known_.find(key);
-      const bool again = before != known_.end() && !before->second.denied;
-      out.push_back(again ? before->second : look_at(device, descriptor, port));
-      known[key] = out.back();
+      Known one = before == known_.end() ? Known{} : before->second;
+      if (before == known_.end() || one.falcon.denied || one.is_asked_again()) {
+        one.falcon = look_at(device, descriptor, port);
+        const bool unread = !one.falcon.denied && one.falcon.serial.empty() && descriptor.iSerialNumber != 0;
+        one.unread = unread ? one.unread + 1 : 0;
+      }
+      if (one.is_asked_again()) changed_ = true;
+      out.push_back(one.falcon);
+      known[key] = std::move(one);
     }
     known_ = std::move(known);
     std::sort(out.begin(), out.end(), [](const FalconOnBus& a, const FalconOnBus& b) { return a.port < b.port; });
@@ -53,6 +59,16 @@ class UsbWatch final : public FalconWatch {
   }
 
  private:
+  /// Times that a serial number is asked for: a device that was just plugged in may not give it yet, and without it another
+  /// Falcon's calibration, or none, would count.
+  static constexpr int kMostAsked = 10;
+
+  struct Known {
+    FalconOnBus falcon;
+    int unread = 0;  // times that it did not give the serial number that it has
+    bool is_asked_again() const noexcept { return unread > 0 && unread < kMostAsked; }
+  };
+
   static int LIBUSB_CALL on_hotplug(libusb_context*, libusb_device*, libusb_hotplug_event, void* self) {
     static_cast<UsbWatch*>(self)->changed_ = true;
     return 0;
@@ -89,7 +105,7 @@ class UsbWatch final : public FalconWatch {
   }
 
   Context context_;
-  std::map<std::string, FalconOnBus> known_;
+  std::map<std::string, Known> known_;  // [port/address]
   bool hotplug_ = false;
   std::atomic<bool> changed_{true};
   std::size_t count_ = 0, sum_ = 0;

@@ -23,9 +23,10 @@ struct FalconOnBus {
 class FalconWatch {
  public:
   virtual ~FalconWatch() = default;
-  /// In order of their ports. Opens a new device once, to read its serial number.
+  /// In order of their ports. Opens a new device to read its serial number, once more at each call while it does not give it.
   virtual std::vector<FalconOnBus> list() = 0;
-  /// Whether a Falcon came or went since the last call; true at the first call. Does not wait.
+  /// Whether a Falcon came or went since the last call, or one did not give its serial number; true at the first call. Does
+  /// not wait.
   virtual bool changed() noexcept = 0;
 };
 

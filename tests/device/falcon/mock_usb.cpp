@@ -255,7 +255,7 @@ void MockFalcon::answer_control(Urb& urb) {
     if (!falcon_.control({setup[1], static_cast<std::uint16_t>(value)}, now())) urb.urb()->status = -EPIPE;
     return;
   }
-  if (setup[0] == 0x80 && setup[1] == 6 && (value >> 8) == 3) {  // a string
+  if (!serial_hidden_ && setup[0] == 0x80 && setup[1] == 6 && (value >> 8) == 3) {  // a string
     std::vector<std::uint8_t> text = {4, 3, 0x09, 0x04};         // number 0: the languages, US English
     if ((value & 0xFF) != 0) {
       text = {static_cast<std::uint8_t>(2 + 2 * serial_.size()), 3};

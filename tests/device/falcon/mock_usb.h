@@ -44,6 +44,10 @@ class MockFalcon {
   void set_claimed_elsewhere(bool claimed) {
     with([&](auto&) { claimed_elsewhere_ = claimed; });
   }
+  /// It does not give its serial number.
+  void hide_serial(bool hidden) {
+    with([&](auto&) { serial_hidden_ = hidden; });
+  }
   /// The endpoint refuses every transfer until the host clears it.
   void stall(std::uint8_t endpoint) {
     with([&](auto&) { stalled_ = endpoint; });
@@ -70,7 +74,7 @@ class MockFalcon {
   falcon::Emulator falcon_;
   UMockdevIoctlBase* base_ = nullptr;
   std::vector<std::unique_ptr<Urb>> waiting_, done_;
-  bool plugged_ = false, attached_ = false, kernel_driver_ = false, claimed_elsewhere_ = false;
+  bool plugged_ = false, attached_ = false, kernel_driver_ = false, claimed_elsewhere_ = false, serial_hidden_ = false;
   unsigned stalled_ = 0;  // endpoint; 0: none
   std::uint64_t requests_ = 0;
 };

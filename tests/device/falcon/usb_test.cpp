@@ -248,6 +248,23 @@ TEST(FalconUsb, unplugged_beside_another_it_alone_is_found_again) {
   expect_no_other_is_taken("00000000", "00000000", "1-2");
 }
 
+TEST(FalconUsb, a_serial_number_that_was_not_given_is_asked_for_again) {
+  MockFalcon device(bus(), 2, "1-1", "FT000001", quick_running());
+  device.hide_serial(true);
+  device.plug();
+  auto watch = falcon::watch_usb_falcons();
+  ASSERT_TRUE(watch);
+  EXPECT_TRUE((*watch)->changed());
+  const auto without = (*watch)->list();
+  ASSERT_EQ(without.size(), 1u);
+  EXPECT_EQ(without[0].name, "1-1");
+  device.hide_serial(false);
+  EXPECT_TRUE((*watch)->changed());
+  const auto with = (*watch)->list();
+  ASSERT_EQ(with.size(), 1u);
+  EXPECT_EQ(with[0].name, "FT000001");
+}
+
 TEST(FalconUsb, coming_and_going_is_noticed) {
   auto watch = falcon::watch_usb_falcons();
   ASSERT_TRUE(watch);
