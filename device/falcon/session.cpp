@@ -138,7 +138,8 @@ void Session::answered(const Frame& frame, LinkTime now) noexcept {
   state_.flawed += flawed;
   state_.unasked += !asked;
   state_.stale += asked && !in_time;
-  if (state_.phase == Phase::probing && !flawed) return answered_probe(in_time ? Answer::usable : Answer::unusable, now);
+  const bool probes = state_.phase == Phase::probing || state_.phase == Phase::needs_image;
+  if (probes && !flawed) return answered_probe(in_time ? Answer::usable : Answer::unusable, now);
   if (state_.phase == Phase::silent) return answered_silence(usable ? Answer::usable : Answer::unusable);
   if (!exchanging()) return;
   if (!asked) return fall_silent(now);  // a duplicate: later answers may have looked too young
@@ -148,7 +149,7 @@ void Session::answered(const Frame& frame, LinkTime now) noexcept {
 void Session::answered_probe(Answer answer, LinkTime now) noexcept {
   state_.trouble = Trouble::none;
   state_.attempt = 0;
-  const bool first = answer == Answer::usable && in_flight_.empty() && tries_ == 1;
+  const bool first = state_.phase == Phase::probing && answer == Answer::usable && in_flight_.empty() && tries_ == 1;
   enter(Phase::homing);
   due_ = kNever;
   if (!first) fall_silent(now);
@@ -238,6 +239,7 @@ void Session::received(std::span<const std::uint8_t> payload, Line line, LinkTim
         heard_loader(byte, now);
         break;
       case Phase::probing:
+      case Phase::needs_image:
       case Phase::homing:
       case Phase::ready:
       case Phase::silent:
@@ -275,6 +277,9 @@ void Session::time_passed(LinkTime now) noexcept {
       if (image_) {
         begin_script(Phase::arming, now);
       } else {
+        // Only the line may have stood still: its firmware then answers again.
+        forget_packets();
+        send_frame(kNoTorque, control::kRed, now);
         due_ = now + settings_.times.reopen;
       }
       break;

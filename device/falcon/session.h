@@ -33,7 +33,7 @@ enum class Phase : std::uint8_t {
   opening,
   settling,     // line set up for running firmware
   probing,      // neutral packets: does firmware answer?
-  needs_image,  // no answer, and no image was given
+  needs_image,  // no answer, and no image was given; a packet every SessionTimes::reopen asks for an answer
   arming,       // line set up for the loader
   greeting,     // hello sent
   locking,      // the loader measures the speed

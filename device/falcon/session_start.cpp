@@ -139,7 +139,7 @@ void Session::probe_failed(LinkTime now) noexcept {
     begin_script(Phase::arming, now);
   } else {
     enter(Phase::needs_image);
-    due_ = now + settings_.times.reopen;  // then checks for an image
+    due_ = now + settings_.times.reopen;  // then checks for an image, and asks again
   }
 }
 

@@ -171,6 +171,21 @@ TEST(FalconSession, a_long_silence_begins_with_the_line_again_and_uploads_if_the
   EXPECT_FALSE(rig.forced);
 }
 
+TEST(FalconSession, firmware_that_answers_again_after_a_long_silence_needs_no_image) {
+  Rig rig({.firmware_running = true});
+  rig.reach(Phase::homing);
+  rig.home();
+  ASSERT_EQ(rig.session.phase(), Phase::ready);
+  rig.falcon.fall_mute(true);
+  rig.run(50ms);
+  ASSERT_TRUE(rig.reach(Phase::needs_image));
+  rig.falcon.fall_mute(false);
+  EXPECT_TRUE(rig.reach(Phase::homing, 5s));
+  rig.run(1s);
+  EXPECT_EQ(rig.session.phase(), Phase::ready);  // it has kept its zero
+  EXPECT_FALSE(rig.forced);
+}
+
 TEST(FalconSession, homing_lost_takes_the_force_away_at_once) {
   Rig rig({.firmware_running = true});
   rig.reach(Phase::homing);
