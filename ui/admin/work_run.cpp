@@ -25,6 +25,9 @@ QString count_text(std::size_t count) { return QLocale().toString(static_cast<qu
 WorkRun::WorkRun(QObject* page) : QObject(page), busy_(new Busy), timer_(new QTimer(this)) {
   connect(timer_, &QTimer::timeout, this, [this] { show_progress(); });
   connect(busy_, &Busy::cancelled, this, [this] { cancel(); });
+  connect(busy_, &Busy::shown, this, [this] {
+    if (running() && handed_on(focused())) busy_->focus_cancel();
+  });
 }
 
 std::shared_ptr<WorkProgress> WorkRun::start(const QString& title, Counted counted) {
@@ -40,7 +43,7 @@ std::shared_ptr<WorkProgress> WorkRun::start(const QString& title, Counted count
 
 void WorkRun::finish() {
   const QWidget* now = focused();
-  const bool lost = now != pressed_ && (now == nullptr || now == handed_to_ || busy_->isAncestorOf(now));
+  const bool lost = handed_on(now) || busy_->isAncestorOf(now);
   progress_.reset();
   timer_->stop();
   busy_->finish();
@@ -48,6 +51,8 @@ void WorkRun::finish() {
 }
 
 QWidget* WorkRun::focused() const { return busy_->window()->focusWidget(); }
+
+bool WorkRun::handed_on(const QWidget* now) const { return now != pressed_ && (now == nullptr || now == handed_to_); }
 
 void WorkRun::cancel() {
   if (running()) progress_->stop = true;

@@ -38,7 +38,8 @@ class WorkRun : public QObject {
   explicit WorkRun(QObject* page);
   Busy* busy() const { return busy_; }
   bool running() const { return progress_ != nullptr; }
-  /// The task writes to what it returns. Comes before the page disables anything. Pre: none runs.
+  /// The task writes to what it returns. Comes before the page disables anything: Cancel, once it is shown, takes the focus that a
+  /// disabled button has handed on. Pre: none runs.
   std::shared_ptr<WorkProgress> start(const QString& title, Counted counted);
   /// Gives the focus back that a disabled button or Cancel has handed on. Comes once the page has enabled its parts.
   void finish();
@@ -48,6 +49,8 @@ class WorkRun : public QObject {
  private:
   void show_progress();
   QWidget* focused() const;
+  /// Whether the focus went from the disabled button to where nobody put it.
+  bool handed_on(const QWidget* now) const;
 
   Busy* busy_;
   QTimer* timer_;

@@ -28,7 +28,9 @@ Busy::Busy(QWidget* parent) : QWidget(parent), timer_(new QTimer(this)) {
   timer_->setSingleShot(true);
   timer_->setInterval(kDelayMs);
   connect(timer_, &QTimer::timeout, this, [this] {
-    if (running_) show();
+    if (!running_) return;
+    show();
+    Q_EMIT shown();
   });
   connect(cancel_, &QPushButton::clicked, this, &Busy::cancelled);
 }
@@ -46,6 +48,8 @@ void Busy::set_progress(double share, const QString& counted) {
   counted_->setText(counted);
   bar_->set_share(share, counted);
 }
+
+void Busy::focus_cancel() { cancel_->setFocus(Qt::OtherFocusReason); }
 
 void Busy::finish() {
   running_ = false;

@@ -22,10 +22,13 @@ class Busy : public QWidget {
   void set_progress(double share, const QString& counted);
   void finish();
   bool running() const { return running_; }
+  /// Pre: Cancel is offered, and shown.
+  void focus_cancel();
 
   static constexpr int kDelayMs = 300;  // a shorter wait needs no change of the screen
 
  Q_SIGNALS:
+  void shown();  // kDelayMs after start()
   void cancelled();
 
  private:

@@ -89,6 +89,25 @@ TEST_F(FocusOfWork, IsGivenBackAfterCancel) {
             begin);
 }
 
+TEST_F(FocusOfWork, StandsOnCancelOnceThatIsShown) {
+  const QPushButton* cancel = run->busy()->findChild<QPushButton*>();
+  const auto wait = [&] {
+    EXPECT_NE(page.focusWidget(), cancel);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return run->busy()->isVisible(); }, kShownWithinMs));
+    EXPECT_EQ(page.focusWidget(), cancel);
+  };
+  EXPECT_EQ(after_work(wait), begin);
+}
+
+TEST_F(FocusOfWork, StaysWhereSomebodyPutItUntilCancelIsShown) {
+  const auto move_and_wait = [&] {
+    third->setFocus();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return run->busy()->isVisible(); }, kShownWithinMs));
+    EXPECT_EQ(page.focusWidget(), third);
+  };
+  EXPECT_EQ(after_work(move_and_wait), third);
+}
+
 TEST_F(FocusOfWork, StaysWhereSomebodyPutIt) {
   ASSERT_NE(page.focusWidget(), third);
   EXPECT_EQ(after_work([&] { third->setFocus(); }), third);
