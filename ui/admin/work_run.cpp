@@ -1,10 +1,7 @@
 #include "ui/admin/work_run.h"
 
 #include <QLocale>
-#include <QTimer>
 #include <utility>
-
-#include "ui/widgets/busy.h"
 
 namespace cusp::ui {
 namespace {
@@ -31,14 +28,23 @@ WorkRun::WorkRun(QObject* page) : QObject(page), busy_(new Busy), timer_(new QTi
 }
 
 std::shared_ptr<WorkProgress> WorkRun::start(const QString& title, Counted counted) {
-  counted_ = std::move(counted);
   progress_ = std::make_shared<WorkProgress>();
+  show(title, std::move(counted), Busy::Cancel::offered);
+  return progress_;
+}
+
+void WorkRun::follow(std::shared_ptr<WorkProgress> progress, const QString& title, Counted counted) {
+  progress_ = std::move(progress);
+  show(title, std::move(counted), Busy::Cancel::none);
+}
+
+void WorkRun::show(const QString& title, Counted counted, Busy::Cancel cancel) {
+  counted_ = std::move(counted);
   pressed_ = focused();
   handed_to_ = nullptr;
   QTimer::singleShot(0, this, [this] { handed_to_ = focused(); });
-  busy_->start(title, Busy::Cancel::offered);
+  busy_->start(title, cancel);
   timer_->start(kReadProgressMs);
-  return progress_;
 }
 
 void WorkRun::finish() {

@@ -11,13 +11,9 @@
 
 #include "storage/base/watch.h"
 #include "ui/modules.h"
-
-class QTimer;
-class QWidget;
+#include "ui/widgets/busy.h"
 
 namespace cusp::ui {
-
-class Busy;
 
 /// How far a work has come, written by its task; `stop`, written by the window, ends it before its next step.
 struct WorkProgress {
@@ -41,12 +37,15 @@ class WorkRun : public QObject {
   /// The task writes to what it returns. Comes before the page disables anything: Cancel, once it is shown, takes the focus that a
   /// disabled button has handed on. Pre: none runs.
   std::shared_ptr<WorkProgress> start(const QString& title, Counted counted);
+  /// Shows a work that runs already, without Cancel. Pre: none runs.
+  void follow(std::shared_ptr<WorkProgress> progress, const QString& title, Counted counted);
   /// Gives the focus back that a disabled button or Cancel has handed on. Comes once the page has enabled its parts.
   void finish();
   /// Stops the work before its next step. Its outcome shows whether it was over before.
   void cancel();
 
  private:
+  void show(const QString& title, Counted counted, Busy::Cancel cancel);
   void show_progress();
   QWidget* focused() const;
   /// Whether the focus went from the disabled button to where nobody put it.

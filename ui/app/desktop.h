@@ -43,6 +43,7 @@ class ToothCache;
 class Shell;
 class SignIn;
 struct NavEntry;
+struct WorkProgress;
 
 /// Of an attempt whose student has large text.
 inline constexpr int kLargeTextPercent = 150;
@@ -148,6 +149,9 @@ class Desktop : public QMainWindow {
   void give_back_comment(MarkingCard& card);
   /// True if something would be lost: closing then waits for the answer. Drafts are kept.
   bool asks_before_closing();
+  /// True while the daily backup is made: the window shows it, offers to leave it out, and closes after it. A signal stops it.
+  bool waits_for_backup();
+  void show_last_backup();
   /// Calls `then`; after a question, or never, if a form of the shell's page or the outcome of its work would be lost.
   void leave_page(std::function<void()> then);
   void offer_exercise_languages(class Shell& shell);
@@ -223,6 +227,8 @@ class Desktop : public QMainWindow {
   int gathered_ = 0;  // calls of gather()
   std::optional<Message> backup_failure_;  // of the last daily backup
   QDateTime next_backup_;                  // after one that failed; invalid: at once
+  std::shared_ptr<WorkProgress> backing_up_;  // null: no daily backup is being made
+  bool closes_after_backup_ = false;
   struct UnsavedComment {
     QString author, text;
   };

@@ -212,6 +212,7 @@ void Desktop::closeEvent(QCloseEvent* event) {
   }
   if (asks_before_closing()) return event->ignore();
   if (closes_anyway_ || ended_by_signal()) keep_drafts(*this);  // asks_before_closing() did, if nothing was asked
+  if (waits_for_backup()) return event->ignore();
   settings_.set_window(saveGeometry());
   QMainWindow::closeEvent(event);
 }

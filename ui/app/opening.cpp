@@ -1,26 +1,20 @@
 // How the desktop opens the records: for writing, or where the disk takes nothing more for reading.
 
-#include <QApplication>
 #include <QPointer>
 
-#include "storage/base/clock.h"
-#include "ui/admin/backup_work.h"
 #include "ui/admin/way_back.h"
 #include "ui/app/desktop.h"
 #include "ui/app/quick_start.h"
 #include "ui/render/opengl_allowed.h"
 #include "ui/signin/sign_in.h"
 #include "ui/text/incident_text.h"
-#include "ui/view/tooth_view.h"
 #include "ui/widgets/empty_state.h"
-#include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
 namespace {
 
 constexpr int kBackupLookMs = 60'000;  // between two looks at whether a backup is due
-constexpr int kBackupRetryS = 3'600;   // after one that failed: on a full disk each try copies until there is no room
 
 /// A backup of all would take the place of records that are whole.
 bool is_key(const StorageFailure& failure) { return failure.code == StorageError::corrupt && failure.detail == "key"; }
@@ -78,32 +72,6 @@ void Desktop::offer_safe_start() {
     if (without) forbid_opengl();
     self->start();
   });
-}
-
-bool Desktop::keep_daily_backup() {
-  const auto into = settings_.backup_folder(database_);
-  // What is written meanwhile would slow the recorder down.
-  const bool drilling = page() != nullptr && page()->findChild<ToothView*>() != nullptr;
-  if (!store_ || reading_only_ || drilling || !backup_.over()) return false;
-  if (next_backup_.isValid() && ports_.now() < next_backup_) return false;
-  if (!backup_is_due(into, store_->context().station, system_utc_us())) return false;
-  backup_ = back_up(records_of(*store_), into, std::nullopt, [self = QPointer(this)](const Stored<BackedUp>& made) {
-    std::optional<Message> failure;
-    if (!made) failure = {tr("The daily backup failed."), describe(made.error()).line()};
-    if (made && made->not_removed) {
-      failure = {tr("The daily backup is made. An old one could not be removed."),
-                 tr("%1: %2.").arg(isolate(QString::fromStdString(made->not_removed->where)), QString::fromLocal8Bit(made->not_removed->detail.c_str()))};
-    }
-    QMetaObject::invokeMethod(
-        qApp,
-        [self, failure, made = made.has_value()] {
-          if (!self) return;
-          self->backup_failure_ = failure;
-          self->next_backup_ = made ? QDateTime() : self->ports_.now().addSecs(kBackupRetryS);
-        },
-        Qt::QueuedConnection);
-  });
-  return true;
 }
 
 void Desktop::show_refusal(const Message& message) {

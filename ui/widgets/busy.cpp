@@ -49,7 +49,9 @@ void Busy::set_progress(double share, const QString& counted) {
   bar_->set_share(share, counted);
 }
 
-void Busy::focus_cancel() { cancel_->setFocus(Qt::OtherFocusReason); }
+void Busy::focus_cancel() {
+  if (cancel_->isVisible()) cancel_->setFocus(Qt::OtherFocusReason);
+}
 
 void Busy::finish() {
   running_ = false;

@@ -22,7 +22,7 @@ class Busy : public QWidget {
   void set_progress(double share, const QString& counted);
   void finish();
   bool running() const { return running_; }
-  /// Pre: Cancel is offered, and shown.
+  /// Where Cancel is shown.
   void focus_cancel();
 
   static constexpr int kDelayMs = 300;  // a shorter wait needs no change of the screen

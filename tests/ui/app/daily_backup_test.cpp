@@ -1,17 +1,22 @@
-// The daily backup, where its folder takes nothing.
+// The daily backup: where its folder takes nothing, and where the window closes meanwhile.
 #include <gtest/gtest.h>
 
 #include <QDir>
 #include <QFile>
 #include <QLabel>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
+#include <optional>
 
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/app/desktop.h"
+#include "ui/session/background_task.h"
+#include "ui/widgets/busy.h"
+#include "ui/widgets/empty_state.h"
 
 namespace cusp::test {
 namespace {
@@ -43,6 +48,46 @@ TEST(DailyBackup, that_failed_is_shown_to_the_administrator_and_tried_again_afte
   now = now.addSecs(2 * 60);
   EXPECT_TRUE(desktop.keep_daily_backup());
   EXPECT_TRUE(QTest::qWaitFor([&in_the_way] { return !QDir(in_the_way.fileName()).isEmpty(); }, 60'000));
+}
+
+/// A desktop whose daily backup has begun. Its outcome reaches the window in a later turn of the event loop.
+struct ClosingOverDailyBackup : testing::Test {
+  ClosingOverDailyBackup() {
+    settings.set_backup_folder(folder.filePath(QStringLiteral("backups")));
+    desktop.emplace(settings, Ports::of_the_system(), records.file());
+    desktop->start();
+    desktop->show();
+    EXPECT_TRUE(desktop->keep_daily_backup());
+  }
+  ~ClosingOverDailyBackup() override {
+    desktop.reset();
+    wait_for_dropped_tasks();  // before the records go
+  }
+
+  test::DeskRecords records;
+  const QTemporaryDir folder;
+  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
+  std::optional<Desktop> desktop;
+};
+
+TEST_F(ClosingOverDailyBackup, waits_until_it_is_made_and_shows_that) {
+  EXPECT_FALSE(desktop->close());
+  EXPECT_TRUE(desktop->isVisible());
+  const auto* busy = desktop->page()->findChild<Busy*>();
+  ASSERT_NE(busy, nullptr);
+  EXPECT_TRUE(busy->running());
+  EXPECT_FALSE(desktop->close()) << "once more";
+  EXPECT_EQ(desktop->page()->findChild<Busy*>(), busy) << "the page stays";
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !desktop->isVisible(); }, 60'000));
+  EXPECT_FALSE(QDir(folder.filePath(QStringLiteral("backups"))).isEmpty());
+}
+
+TEST_F(ClosingOverDailyBackup, ends_at_once_without_it_if_somebody_wants_that) {
+  EXPECT_FALSE(desktop->close());
+  auto* offer = desktop->page()->findChild<EmptyState*>();
+  ASSERT_NE(offer, nullptr);
+  offer->button()->click();
+  EXPECT_FALSE(desktop->isVisible());
 }
 
 }  // namespace

@@ -1,0 +1,101 @@
+// The daily backup of the records, and the window that closes while it is made.
+
+#include <QApplication>
+#include <QBoxLayout>
+#include <QPointer>
+#include <QPushButton>
+#include <algorithm>
+#include <utility>
+
+#include "storage/base/clock.h"
+#include "ui/admin/backup_work.h"
+#include "ui/admin/work_run.h"
+#include "ui/app/desktop.h"
+#include "ui/app/run_marker.h"
+#include "ui/view/tooth_view.h"
+#include "ui/widgets/busy.h"
+#include "ui/widgets/empty_state.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp::ui {
+namespace {
+
+constexpr int kBackupRetryS = 3'600;  // after one that failed: on a full disk each try copies until there is no room
+
+/// "84 %" of the pages; their number fits no int.
+QString copied_share(std::size_t done, std::size_t all) {
+  return format_share(static_cast<int>(100.0 * static_cast<double>(std::min(done, all)) / static_cast<double>(all)), 100);
+}
+
+}  // namespace
+
+bool Desktop::keep_daily_backup() {
+  const auto into = settings_.backup_folder(database_);
+  // What is written meanwhile would slow the recorder down.
+  const bool drilling = page() != nullptr && page()->findChild<ToothView*>() != nullptr;
+  if (!store_ || reading_only_ || drilling || backing_up_ || !backup_.over()) return false;
+  if (next_backup_.isValid() && ports_.now() < next_backup_) return false;
+  if (!backup_is_due(into, store_->context().station, system_utc_us())) return false;
+  backing_up_ = std::make_shared<WorkProgress>();
+  const auto then = [self = QPointer(this)](const Stored<BackedUp>& made) {
+    std::optional<Message> failure;
+    if (!made) failure = {tr("The daily backup failed."), describe(made.error()).line()};
+    if (made && made->not_removed) {
+      failure = {tr("The daily backup is made. An old one could not be removed."),
+                 tr("%1: %2.").arg(isolate(QString::fromStdString(made->not_removed->where)), QString::fromLocal8Bit(made->not_removed->detail.c_str()))};
+    }
+    QMetaObject::invokeMethod(
+        qApp,
+        [self, failure, made = made.has_value()] {
+          if (!self) return;
+          self->backup_failure_ = failure;
+          self->next_backup_ = made ? QDateTime() : self->ports_.now().addSecs(kBackupRetryS);
+          self->backing_up_.reset();
+          if (std::exchange(self->closes_after_backup_, false)) self->close();
+        },
+        Qt::QueuedConnection);
+  };
+  backup_ = back_up(records_of(*store_), into, std::nullopt, then, backing_up_);
+  return true;
+}
+
+bool Desktop::waits_for_backup() {
+  if (!backing_up_) return false;
+  if (ended_by_signal()) {
+    backing_up_->stop = true;
+    return false;
+  }
+  if (!std::exchange(closes_after_backup_, true)) {
+    closes_anyway_ = true;  // nothing was asked, or it was answered
+    backup_timer_.stop();
+    account_.reset();
+    show_last_backup();
+  }
+  return true;
+}
+
+void Desktop::show_last_backup() {
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  const QString what = tr("The daily backup is being made"), more = tr("Cusp closes once it is made. If you leave it out, the next start makes it.");
+  auto* state = new EmptyState(u"save"_qs, what, more, tr("Close without the backup"));
+  auto* run = new WorkRun(page);
+  column->addStretch(1);
+  column->addWidget(state);
+  column->addWidget(run->busy(), 0, Qt::AlignHCenter);
+  column->addStretch(1);
+  connect(state, &EmptyState::acted, this, [this] {
+    closes_after_backup_ = false;
+    if (backing_up_) backing_up_->stop = true;
+    backing_up_.reset();
+    close();
+  });
+  page->setAccessibleName(what);
+  page->setFocusProxy(state->button());
+  replace_root(page);
+  announce(page, what + u". "_qs + more);
+  run->follow(backing_up_, tr("Copying the records"), [](std::size_t done, std::size_t all) { return tr("Copied %1").arg(copied_share(done, all)); });
+}
+
+}  // namespace cusp::ui
