@@ -4,6 +4,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "scenarios/import/left_parts.h"
 #include "storage/base/files.h"
 
 namespace cusp::ui {
@@ -11,24 +12,55 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// NAME, NAME-2, NAME-3, …
+std::string numbered(const fs::path& wanted, int n) {
+  if (n == 1) return wanted.string();
+  return wanted.stem().string() + '-' + std::to_string(n) + wanted.extension().string();
+}
+
+/// A volume without a name yet. If the program is killed, what next writes to the folder removes it a day later (left_parts.h).
+class UnnamedVolume {
+ public:
+  explicit UnnamedVolume(const fs::path& folder) : file_(folder / ("volume" + std::string(kPartMark) + Uuid::v7().text().substr(24))) {}
+  ~UnnamedVolume() {
+    std::error_code ignored;
+    fs::remove(file_, ignored);
+  }
+  UnnamedVolume(const UnnamedVolume&) = delete;
+  UnnamedVolume& operator=(const UnnamedVolume&) = delete;
+
+  /// Writes it at the first call.
+  Stored<void> write(const VolumeWriter& volume) {
+    if (written_) return {};
+    const auto done = volume.write(file_);
+    written_ = done.has_value();
+    return done;
+  }
+  const fs::path& file() const { return file_; }
+
+ private:
+  fs::path file_;
+  bool written_ = false;
+};
+
 }  // namespace
 
 Stored<std::string> write_under_free_name(const fs::path& folder, const std::string& wanted, const VolumeWriter& volume) {
-  std::string name = wanted;
-  for (int n = 2;; ++n) {
+  UnnamedVolume fresh(folder);
+  for (int n = 1;; ++n) {
+    const std::string name = numbered(wanted, n);
     const fs::path file = folder / name;
-    const auto taken = write_new_file(file, {});
-    if (taken) {
-      if (auto written = volume.write(file); !written) {
-        std::error_code ignored;
-        fs::remove(file, ignored);
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(file, ignored))) {
+      if (auto written = fresh.write(volume); !written) {
+        if (written.error().where == fresh.file().string()) written.error().where = file.string();
         return std::unexpected(written.error());
       }
-      return name;
+      const auto named = rename_new(fresh.file(), file);
+      if (named) return name;
+      if (named.error().code != StorageError::duplicate) return std::unexpected(named.error());
     }
-    if (taken.error().code != StorageError::duplicate) return std::unexpected(taken.error());
     if (volume.is_it && volume.is_it(file)) return name;
-    name = fs::path(wanted).stem().string() + '-' + std::to_string(n) + fs::path(wanted).extension().string();
   }
 }
 

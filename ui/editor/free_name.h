@@ -13,13 +13,13 @@ namespace cusp::ui {
 struct VolumeWriter {
   /// Whether a file that has the name already is this volume: then nothing is written. Null: none is.
   std::function<bool(const std::filesystem::path& there)> is_it;
-  /// Replaces an empty file.
+  /// Writes a new file, whose name is not yet the volume's.
   std::function<Stored<void>(const std::filesystem::path& file)> write;
 };
 
-/// Writes a volume as NAME, NAME-2, NAME-3, …, each with the suffix of `wanted`, and returns the first name that nobody else has. Choosing
-/// the name and taking it is one step, as an empty file that is made exclusively: two windows never replace each other's volume. If
-/// write() fails, the name is free again. Pre: the folder is there.
+/// Writes a volume as NAME, NAME-2, NAME-3, …, each with the suffix of `wanted`, and returns the first name that nobody else has. The
+/// volume takes its name whole, by a rename that replaces nothing: two windows never replace each other's volume, and after a failure, or
+/// a program that is killed, the name is free. A failure to write names the file as it would be called. Pre: the folder is there.
 Stored<std::string> write_under_free_name(const std::filesystem::path& folder, const std::string& wanted, const VolumeWriter& volume);
 
 /// Whether both files can be read and hold the same bytes.

@@ -240,15 +240,17 @@ void SpecimenForm::pick() {
     const std::filesystem::path folder = model_.folder();
     std::error_code error;
     std::filesystem::create_directories(folder, error);
+    const std::string wanted = name_beside_the_draft(from);
     std::optional<ImportFailure> unwritten;  // a writer of volumes has another list of causes
     const auto write = [&](const std::filesystem::path& file) -> Stored<void> {
       const auto written = write_nrrd(*volume, file);
       if (written) return {};
       unwritten = written.error();
+      unwritten->where = wanted;
       return fail(StorageError::io, file.string());
     };
     const auto name = error ? Stored<std::string>(std::unexpected(failure_from(error, folder)))
-                            : write_under_free_name(folder, name_beside_the_draft(from), {nullptr, write});
+                            : write_under_free_name(folder, wanted, {nullptr, write});
     if (!name) {
       const Message message = unwritten ? describe(*unwritten) : describe(name.error());
       band_->show_message(Band::Kind::bad, message.what, message.more);

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "scenarios/blocks/blocks.h"
+#include "scenarios/import/left_parts.h"
 #include "scenarios/import/nrrd.h"
 #include "tests/file_limit.h"
 #include "tests/modules.h"
@@ -94,15 +95,54 @@ TEST_F(DraftVolumes, of_one_name_that_two_windows_write_at_once_lie_side_by_side
   const Bytes first(3, std::byte{1}), second(5, std::byte{2});
   std::string of_the_other;
   const auto of_one = write_under_free_name(start.folder, "tooth.nrrd", {nullptr, [&](const fs::path& file) {
-    // The other window comes between the choice of the name and the writing.
+    // The other window writes meanwhile, and is done first.
     of_the_other = write_under_free_name(start.folder, "tooth.nrrd", {nullptr, [&](const fs::path& beside) { return write_beside(beside, second); }}).value();
     return write_beside(file, first);
   }});
   ASSERT_TRUE(of_one);
-  EXPECT_EQ(*of_one, "tooth.nrrd");
-  EXPECT_EQ(of_the_other, "tooth-2.nrrd");
+  EXPECT_EQ(*of_one, "tooth-2.nrrd");
+  EXPECT_EQ(of_the_other, "tooth.nrrd");
   EXPECT_EQ(*bytes_of(fs::path(start.folder) / *of_one), first);
   EXPECT_EQ(*bytes_of(fs::path(start.folder) / of_the_other), second);
+}
+
+TEST_F(DraftVolumes, of_a_window_that_is_killed_while_it_writes_have_taken_no_name) {
+  const auto files = [&] { return std::distance(fs::directory_iterator(start.folder), {}); };
+  const auto before = files();
+  const std::vector<std::byte> bytes(3, std::byte{1});
+  const auto name = write_under_free_name(start.folder, "tooth.nrrd", {nullptr, [&](const fs::path& file) {
+    EXPECT_FALSE(fs::exists(fs::path(start.folder) / "tooth.nrrd"));
+    const auto written = write_beside(file, bytes);
+    EXPECT_NE(file.filename().string().find(kPartMark), std::string::npos) << "what is left of it goes a day later";
+    EXPECT_FALSE(fs::exists(fs::path(start.folder) / "tooth.nrrd"));
+    return written;
+  }});
+  ASSERT_TRUE(name);
+  EXPECT_EQ(*name, "tooth.nrrd");
+  EXPECT_EQ(*bytes_of(fs::path(start.folder) / *name), bytes);
+  EXPECT_EQ(files(), before + 1) << "the part is left";
+}
+
+TEST_F(DraftVolumes, that_another_window_has_written_meanwhile_are_not_written_twice) {
+  const auto files = [&] { return std::distance(fs::directory_iterator(start.folder), {}); };
+  const auto before = files();
+  const std::vector<std::byte> bytes(3, std::byte{1});
+  const auto is_it = [&](const fs::path& there) { return *bytes_of(there) == bytes; };
+  const auto name = write_under_free_name(start.folder, "tooth.nrrd", {is_it, [&](const fs::path& file) {
+    EXPECT_TRUE(write_beside(fs::path(start.folder) / "tooth.nrrd", bytes));
+    return write_beside(file, bytes);
+  }});
+  ASSERT_TRUE(name);
+  EXPECT_EQ(*name, "tooth.nrrd");
+  EXPECT_EQ(files(), before + 1);
+}
+
+TEST_F(DraftVolumes, whose_source_cannot_be_read_name_the_source) {
+  const auto name = write_under_free_name(start.folder, "tooth.nrrd", {nullptr, [](const fs::path&) -> Stored<void> {
+    return std::unexpected(StorageFailure{StorageError::io, "cache/tooth.nrrd", {}});
+  }});
+  ASSERT_FALSE(name);
+  EXPECT_EQ(name.error().where, "cache/tooth.nrrd");
 }
 
 TEST_F(DraftVolumes, that_cannot_be_written_leave_their_name_to_the_next_one) {
@@ -111,6 +151,7 @@ TEST_F(DraftVolumes, that_cannot_be_written_leave_their_name_to_the_next_one) {
   }});
   ASSERT_FALSE(name);
   EXPECT_EQ(name.error().code, StorageError::disk_full);
+  EXPECT_EQ(fs::path(name.error().where).filename(), "tooth.nrrd");
   EXPECT_FALSE(fs::exists(fs::path(start.folder) / "tooth.nrrd"));
 }
 
