@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <tuple>
 #include <utility>
 
 #include "ui/admin/backups_table.h"
@@ -31,12 +30,7 @@ QString size_text(std::uint64_t bytes) { return QLocale().formattedDataSize(stat
 StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, const Ports& ports, QWidget* parent)
     : QWidget(parent), database_(store.database().file()), records_(records_of(store)), station_(store.context().station), actor_(actor),
       settings_(settings), ports_(ports), run_(new WorkRun(this)) {
-  const auto count = store.database().first("SELECT count(*) FROM session_summaries", [](Row row) { return row.u64(0); });
-  if (count) sessions_ = count->value_or(0);
-  // With what the write-ahead log still holds.
-  const auto size = store.database().first("SELECT page_count * page_size, page_size FROM pragma_page_count(), pragma_page_size()",
-                                           [](Row row) { return std::pair{row.u64(0), row.u64(1)}; });
-  if (size && *size) std::tie(bytes_, page_bytes_) = **size;
+  read_size(store);
   if (const auto& key = store.context().key) key_ = fingerprint(key->id());
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
@@ -66,6 +60,18 @@ StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, c
   setFocusProxy(back_up_);
 }
 
+void StationPage::read_size(Store& store) {
+  const auto sessions = store.database().first("SELECT count(*) FROM session_summaries", [](Row row) { return row.u64(0); });
+  // With what the write-ahead log still holds.
+  const auto size = store.database().first("SELECT page_count * page_size, page_size FROM pragma_page_count(), pragma_page_size()",
+                                           [](Row row) { return std::pair{row.u64(0), row.u64(1)}; });
+  holds_ = tr("How much the records hold could not be read.");
+  if (!size || !*size) return;
+  const auto [bytes, of_one_page] = **size;
+  page_bytes_ = of_one_page;
+  if (sessions && *sessions) holds_ = tr("%n session(s), %1", nullptr, static_cast<int>(**sessions)).arg(size_text(bytes));
+}
+
 void StationPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   const bool narrow = width() < px(kStackBelow);
@@ -79,7 +85,9 @@ QString StationPage::message() const { return band_->isVisibleTo(this) ? band_->
 QWidget* StationPage::make_records() {
   auto* card = new Card(tr("Records"));
   card->body()->addWidget(make_paragraph(QString::fromStdString(database_.string())));
-  card->body()->addWidget(make_label(tr("%n session(s), %1", nullptr, static_cast<int>(sessions_)).arg(size_text(bytes_))));
+  QLabel* holds = make_label(holds_);
+  holds->setWordWrap(true);
+  card->body()->addWidget(holds);
   if (!key_.isEmpty()) {
     auto* key = make_label(tr("Key %1").arg(key_));
     key->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -159,7 +167,7 @@ void StationPage::end() {
 void StationPage::back_up() {
   if (working()) return;
   auto progress = begin(tr("Copying the records"), [page = page_bytes_](std::size_t done, std::size_t all) {
-    return tr("Copied %1 of %2").arg(size_text(done * page), size_text(all * page));
+    return page == 0 ? QString() : tr("Copied %1 of %2").arg(size_text(done * page), size_text(all * page));
   });
   task_ = ui::back_up(records_, settings_.backup_folder(database_), actor_, on_window<Stored<BackedUp>>(this, &StationPage::show_backed_up),
                       std::move(progress));

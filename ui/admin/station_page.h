@@ -44,6 +44,7 @@ class StationPage : public QWidget, public AtWork {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void read_size(Store& store);
   QWidget* make_records();
   QWidget* make_backups();
   QWidget* make_idle();
@@ -60,7 +61,8 @@ class StationPage : public QWidget, public AtWork {
   Actor actor_;
   Settings& settings_;
   const Ports& ports_;
-  std::uint64_t sessions_ = 0, bytes_ = 0, page_bytes_ = 0;  // of the records, and of one of their pages
+  std::uint64_t page_bytes_ = 0;  // of the records; 0: it could not be read
+  QString holds_;                 // how many sessions, and their size; or that these could not be read
   QString key_;  // fingerprint of the station's key; empty: opened for reading
   BackgroundTask task_;
   QBoxLayout* columns_ = nullptr;

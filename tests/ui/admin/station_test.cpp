@@ -3,9 +3,11 @@
 
 #include <QDir>
 #include <QFile>
+#include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTest>
+#include <algorithm>
 #include <future>
 
 #include "tests/modules.h"
@@ -104,6 +106,18 @@ TEST_F(Station, MakesABackupWhereItWasAskedTo) {
   ASSERT_TRUE(all);
   ASSERT_EQ(all->size(), 1u);
   EXPECT_EQ(all->front().sessions, 1u);
+}
+
+TEST_F(Station, ShowsNoNumberOfSessionsThatCouldNotBeRead) {
+  const auto shows = [](const StationPage& shown, const char* part) {
+    return std::ranges::any_of(shown.findChildren<QLabel*>(), [&](const QLabel* label) { return label->text().contains(QLatin1String(part)); });
+  };
+  const auto read = page();
+  EXPECT_TRUE(shows(*read, "1 session"));
+  ASSERT_TRUE(records.store().database().run("ALTER TABLE session_summaries RENAME TO lost_summaries"));
+  const auto unread = page();
+  EXPECT_TRUE(shows(*unread, "How much the records hold could not be read."));
+  EXPECT_FALSE(shows(*unread, "0 session"));
 }
 
 TEST_F(Station, PutsTheNumbersOfBackupsAtTheRight) {
