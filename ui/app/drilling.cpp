@@ -12,6 +12,7 @@
 #include "ui/text/names.h"
 #include "ui/session/replay.h"
 #include "ui/settings/device_settings.h"
+#include "ui/student/thumbnail_cache.h"
 #include "ui/text/device_text.h"
 #include "ui/view/tooth_view.h"
 
@@ -20,9 +21,10 @@ namespace cusp::ui {
 namespace {
 
 /// The practice assignment that an attempt at this exercise counts for; none: nothing is assigned, or it does not admit one now.
-std::optional<AssignmentId> open_practice(Store& store, const Actor& student, const Exercise& exercise, const std::string& device_class) {
+Stored<std::optional<AssignmentId>> open_practice(Store& store, const Actor& student, const Exercise& exercise, const std::string& device_class) {
+  if (exercise.version.is_nil()) return std::optional<AssignmentId>();
   const auto assigned = store.assignments.for_student(student.id);
-  if (!assigned || exercise.version.is_nil()) return std::nullopt;
+  if (!assigned) return std::unexpected(assigned.error());
   for (const Assignment& a : *assigned) {
     if (a.kind != SessionKind::practice || a.version != exercise.version) continue;
     NewSession wanted;
@@ -30,9 +32,9 @@ std::optional<AssignmentId> open_practice(Store& store, const Actor& student, co
     wanted.version = a.version;
     wanted.assignment = a.id;
     wanted.header.device.device_class = device_class;
-    if (store.sessions.admit(student, wanted)) return a.id;
+    if (store.sessions.admit(student, wanted)) return std::optional(a.id);
   }
-  return std::nullopt;
+  return std::optional<AssignmentId>();
 }
 
 }  // namespace
@@ -82,9 +84,12 @@ void Desktop::drill(const Exercise& exercise) {
   if (account_) {
     plan.database = database_;
     plan.student = account_->actor();
-    plan.assignment = open_practice(*store_, account_->actor(), exercise, device_class());
+    const auto assignment = open_practice(*store_, account_->actor(), exercise, device_class());
+    if (!assignment) return show_failure(describe(assignment.error()));  // the attempt would count for nothing that is assigned
+    plan.assignment = *assignment;
     const auto attempts = store_->history.attempts(account_->actor(), account_->id, exercise.scenario.id);
-    aside = tr("Practice, attempt %1").arg(attempts.value_or(0) + 1);
+    if (!attempts) return show_failure(describe(attempts.error()));
+    aside = tr("Practice, attempt %1").arg(*attempts + 1);
   } else {
     plan.kind = SessionKind::try_it;
   }
@@ -154,7 +159,9 @@ void Desktop::resume_assessment(const SessionDetails& attempt, const Exercise& e
 void Desktop::show_drilling(const Exercise& exercise, SessionPlan plan, const QString& aside) {
   plan.scenario = exercise.scenario;
   plan.version = exercise.version;
-  if (const auto folder = exercise_folder(*store_, exercise, volume_folder())) plan.scenario_folder = *folder;
+  const auto folder = exercise_folder(*store_, exercise, volume_folder());
+  if (!folder) return show_failure(describe(folder.error()));
+  plan.scenario_folder = *folder;
   const DrillText text{local(exercise.scenario.title), aside};
   DrillScreen* screen = open_drilling(plan, text);
   connect(screen, &DrillScreen::finished, this, [this, exercise](std::shared_ptr<const SessionResult> result) {

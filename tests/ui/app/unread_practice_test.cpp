@@ -1,0 +1,63 @@
+// Practice whose records cannot be read does not begin.
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+#include <memory>
+
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/write.h"
+#include "scenarios/library/library.h"
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/app/desktop.h"
+#include "ui/app/shell.h"
+#include "ui/drill/drill_screen.h"
+#include "ui/widgets/empty_state.h"
+
+namespace cusp::test {
+namespace {
+
+struct UnreadPractice : ::testing::Test {
+  UnreadPractice() {
+    const Account lena = records.student("1", "Lena Brandt");
+    exercise.scenario = *load_builtin("channel-1");
+    exercise.scenario.version += 1;
+    exercise.scenario.specimen.voxel_mm = 0.4;  // so that it grows at once
+    exercise.version = records.store().scenarios.ensure(exercise.scenario, canonical_json(exercise.scenario), content_hash(exercise.scenario).bytes)->id;
+    exercise.version_number = exercise.scenario.version;
+    desktop = std::make_unique<Desktop>(settings, Ports::of_the_system(), records.file());
+    desktop->start();
+    desktop->show();
+    desktop->sign_in(lena);
+  }
+  /// Whether the exercise begins; else a page gives the reason.
+  bool begins() {
+    desktop->drill(exercise);
+    const bool drills = qobject_cast<DrillScreen*>(desktop->page()) != nullptr;
+    EXPECT_NE(drills, desktop->page()->findChild<EmptyState*>() != nullptr);
+    desktop->back();
+    EXPECT_EQ(desktop->page(), desktop->shell());
+    return drills;
+  }
+
+  DeskRecords records;
+  QTemporaryDir folder;
+  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
+  Exercise exercise;
+  std::unique_ptr<Desktop> desktop;
+};
+
+TEST_F(UnreadPractice, whose_assignments_are_not_known_would_count_for_none) {
+  ASSERT_TRUE(records.store().database().run("ALTER TABLE cohort_students RENAME TO lost_students"));
+  EXPECT_FALSE(begins());
+  ASSERT_TRUE(records.store().database().run("ALTER TABLE lost_students RENAME TO cohort_students"));
+  EXPECT_TRUE(begins());
+}
+
+TEST_F(UnreadPractice, whose_volume_is_not_there_names_that_and_not_the_file_that_was_never_written) {
+  exercise.files["tooth.nrrd"] = Hash256{};  // of no blob
+  EXPECT_FALSE(begins());
+}
+
+}  // namespace
+}  // namespace cusp::test
