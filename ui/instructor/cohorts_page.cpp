@@ -186,6 +186,11 @@ void CohortsPage::show_failure(const StorageFailure& failure) {
   band_->show_message(Band::Kind::bad, message.what, message.more);
 }
 
+void CohortsPage::show_unread(const StorageFailure& failure) {
+  show_failure(failure);
+  unread_ = message();
+}
+
 std::optional<Cohort> CohortsPage::chosen() {
   const int row = list_->chosen_row();
   if (row >= 0) return cohorts_->cohort(row);
@@ -222,6 +227,8 @@ bool CohortsPage::half_filled() const {
 }
 
 void CohortsPage::show_chosen() {
+  if (!unread_.isEmpty() && message() == unread_) band_->clear();
+  unread_.clear();
   const int row = list_->chosen_row();
   for (QWidget* part : {static_cast<QWidget*>(numbers_), static_cast<QWidget*>(add_)}) part->setEnabled(row >= 0);
   if (form_ != nullptr) form_->setEnabled(row >= 0);
@@ -236,7 +243,7 @@ void CohortsPage::show_chosen() {
   const auto show_none = [this](const StorageFailure& why) {
     students_->set_students({});
     assignments_->set_rows({});
-    show_failure(why);
+    show_unread(why);
   };
   const auto inside = store_.cohorts.students(cohort.id);
   if (!inside) return show_none(inside.error());
@@ -252,7 +259,7 @@ void CohortsPage::show_assignments() {
   const auto list = store_.assignments.for_cohort(cohorts_->cohort(list_->chosen_row()).id);
   if (!list) {
     assignments_->set_rows({});
-    return show_failure(list.error());
+    return show_unread(list.error());
   }
   std::vector<AssignmentRow> rows;
   for (const Assignment& assignment : *list) {

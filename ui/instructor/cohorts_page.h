@@ -68,6 +68,8 @@ class CohortsPage : public QWidget, public Rereads, public HalfFilled {
   /// Nullopt, and a message, where nothing is chosen.
   std::optional<Cohort> chosen();
   void show_failure(const StorageFailure& failure);
+  /// Of the chosen cohort: the message goes with the choice.
+  void show_unread(const StorageFailure& failure);
 
   Store& store_;
   Actor actor_;
@@ -76,6 +78,7 @@ class CohortsPage : public QWidget, public Rereads, public HalfFilled {
   CohortStudentsModel* students_;
   AssignmentsModel* assignments_;
   Band* band_ = nullptr;
+  QString unread_;  // the message of show_unread(); empty: the chosen cohort was read
   QStackedWidget* below_ = nullptr;  // the list, or that there is no cohort
   Table *list_ = nullptr, *table_ = nullptr, *assigned_ = nullptr;
   QLineEdit* name_ = nullptr;

@@ -49,6 +49,26 @@ TEST_F(UnreadCohorts, ShowNoStudentsAndTasksOfAnother) {
   EXPECT_EQ(page.assignments().rowCount(), 0);
 }
 
+TEST_F(UnreadCohorts, TakeTheirMessageAwayOnceAnotherOneWasRead) {
+  Store& store = records.store();
+  for (const char* name : {"A year", "B year"}) ASSERT_TRUE(store.cohorts.create(instructor, name));
+  CohortsPage page(store, instructor, ports);
+  const auto choose = [&page](int row) {
+    for (Table* table : page.findChildren<Table*>())
+      if (table->model() == &page.cohorts()) table->choose_row(row);
+  };
+  ASSERT_TRUE(store.database().run("ALTER TABLE cohort_students RENAME TO lost_students"));
+  choose(1);
+  EXPECT_NE(page.message(), QString());
+  ASSERT_TRUE(store.database().run("ALTER TABLE lost_students RENAME TO cohort_students"));
+  choose(0);
+  EXPECT_EQ(page.message(), QString());
+  page.make_cohort(QStringLiteral("C year"));
+  ASSERT_NE(page.message(), QString());
+  choose(0);
+  EXPECT_NE(page.message(), QString()) << "it is no failure of a cohort";
+}
+
 TEST_F(UnreadCohorts, SayWithoutExercisesWhyNothingCanBeAssigned) {
   ASSERT_TRUE(records.store().database().run("ALTER TABLE scenario_versions RENAME TO lost_versions"));
   const CohortsPage page(records.store(), instructor, ports);
