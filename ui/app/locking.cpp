@@ -29,11 +29,6 @@ bool has_unsaved_slips(const QWidget& desktop) {
   return std::ranges::any_of(imports, [](const PeopleImport* page) { return page->unsaved(); });
 }
 
-bool has_unsaved_comment(const QWidget& desktop) {
-  const auto cards = desktop.findChildren<MarkingCard*>();
-  return std::ranges::any_of(cards, [](const MarkingCard* card) { return card->unsaved(); });
-}
-
 /// False if a draft cannot be written; its page shows why.
 bool keep_drafts(const QWidget& desktop) {
   const auto editors = desktop.findChildren<EditorPage*>();
@@ -70,6 +65,8 @@ bool any_part(const QWidget& page, bool (Kind::*holds)() const) {
 }
 
 bool has_half_filled_form(const QWidget& page) { return any_part(page, &HalfFilled::half_filled); }
+bool has_comment(const QWidget& page) { return any_part(page, &MarkingCard::has_comment); }
+bool has_typed_points(const QWidget& page) { return any_part(page, &MarkingCard::has_points); }
 bool has_work(const QWidget& page) { return any_part(page, &AtWork::working); }
 
 }  // namespace
@@ -92,10 +89,11 @@ void Desktop::lock(const QString& why) {
   const bool unsaved = has_unsaved_slips(*stack_) || !keep_drafts(*stack_);
   if (!unsaved) {
     for (const MarkingCard* card : stack_->findChildren<MarkingCard*>())
-      if (card->unsaved()) unsaved_comments_[{account_->id, card->session()}] = {QString::fromStdString(account_->name), card->written()};
+      if (card->has_comment()) unsaved_comments_[{account_->id, card->session()}] = {QString::fromStdString(account_->name), card->written()};
   }
   QString kept = has_open_import(*stack_)        ? tr("What you did is kept, but for the import: begin it anew.")
                  : audits(*stack_)               ? tr("What you did is kept, but for the audit: measure anew.")
+                 : has_typed_points(*stack_)     ? tr("What you did is kept, but for the points that were typed: type them anew.")
                  : has_half_filled_form(*stack_) ? tr("What you did is kept, but for the form that was not saved: fill it in anew.")
                  : has_work(*stack_)             ? tr("What you did is kept, but for the outcome of work that still ran: look how it ended.")
                                                  : tr("What you did is kept.");
@@ -170,8 +168,8 @@ bool Desktop::asks_before_closing() {
   if (has_unsaved_slips(*this)) {
     question.what = tr("Close without the PIN slips?");
     question.more = PeopleImport::tr("The PINs stand nowhere else. Each student would need a new one.");
-  } else if (has_unsaved_comment(*this) || !unsaved_comments_.empty()) {
-    question.what = tr("Close without the comment?");
+  } else if (const bool comment = has_comment(*this) || !unsaved_comments_.empty(); comment || has_typed_points(*this)) {
+    question.what = comment ? tr("Close without the comment?") : tr("Close without the changed points?");
     question.more = (ReportPage::tr("What is written under Marking is not kept yet.") + u' ' + waiting_comments_text()).trimmed();
   } else if (!keep_drafts(*this)) {
     question.what = tr("Close without the last edits?");

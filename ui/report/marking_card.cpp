@@ -217,6 +217,12 @@ void MarkingCard::show_data(const ReportData& report) {
   release_->setToolTip(report.counts->needs_confirmation() ? tr("A failed result is confirmed first") : QString());
 }
 
+bool MarkingCard::has_points() const {
+  if (points_ == nullptr || criterion_.empty()) return false;
+  points_->interpretText();  // a shortcut leaves the focus in the field
+  return format_points(points_->value()) != format_points(shown_.points);
+}
+
 QString MarkingCard::written() const { return text_->toPlainText(); }
 
 void MarkingCard::write(const QString& text) {
@@ -272,8 +278,9 @@ void MarkingCard::change_points() {
     return text_->setFocus();
   }
   if (!still_stands()) return;
-  finish(store_.statements.override_points(actor_, session_, criterion_, given, reason().toStdString(), read_),
-         tr("The points are changed. The measured grade is kept beside them."));
+  const auto done = store_.statements.override_points(actor_, session_, criterion_, given, reason().toStdString(), read_);
+  if (done) shown_.points = points_->value();  // until the report is read anew
+  finish(done, tr("The points are changed. The measured grade is kept beside them."));
 }
 
 void MarkingCard::strike() {

@@ -30,7 +30,10 @@ class MarkingCard : public Card {
   void set_criterion(const CriterionGrade* criterion);
   void show_data(const ReportData& report);
   /// A comment or reason stands in the field and is not kept.
-  bool unsaved() const { return !reason().isEmpty(); }
+  bool has_comment() const { return !reason().isEmpty(); }
+  /// Other points than those that count are typed, and not stated.
+  bool has_points() const;
+  bool unsaved() const { return has_comment() || has_points(); }
   QString written() const;
   void write(const QString& text);
   const SessionId& session() const { return session_; }

@@ -112,12 +112,13 @@ void ReportPage::set_card(QWidget* card) {
   order_tabs();
 }
 
-void ReportPage::leave() {
+void ReportPage::leave_for(void (ReportPage::*wanted)()) {
   const auto* marking = qobject_cast<const MarkingCard*>(card_.data());
-  if (marking == nullptr || !marking->unsaved()) return Q_EMIT back_wanted();
-  const Question question{tr("Leave without the comment?"), tr("What is written under Marking is not kept yet."), tr("Leave"), true};
-  ports_.ask(this, question, [self = QPointer(this)](bool yes) {
-    if (self && yes) Q_EMIT self->back_wanted();
+  if (marking == nullptr || !marking->unsaved()) return (this->*wanted)();
+  const Question question{marking->has_comment() ? tr("Leave without the comment?") : tr("Leave without the changed points?"),
+                          tr("What is written under Marking is not kept yet."), tr("Leave"), true};
+  ports_.ask(this, question, [self = QPointer(this), wanted](bool yes) {
+    if (self && yes) (self.data()->*wanted)();
   });
 }
 
@@ -225,7 +226,7 @@ QWidget* ReportPage::make_bar(TryAgain again, const QString& back_name) {
   const auto [bar, row] = make_bar_top();
   bar_ = bar;
   QPushButton* back = add_way_back({bar, row}, back_name);
-  connect(back, &QPushButton::clicked, this, &ReportPage::leave);
+  connect(back, &QPushButton::clicked, this, [this] { leave_for(&ReportPage::back_wanted); });
   // Staff write on this page: Escape is no wish to leave it.
   if (again != TryAgain::hidden) let_escape_go_back(back);
   row->addWidget(title_ = make_label(data_.title, TextRole::section, Weight::bold));
@@ -259,7 +260,7 @@ QPushButton* ReportPage::make_again() {
     out->setToolTip(ToothView::pictures_off());
   }
   out->setAccessibleDescription(out->toolTip());
-  connect(out, &QPushButton::clicked, this, &ReportPage::try_again_wanted);
+  connect(out, &QPushButton::clicked, this, [this] { leave_for(&ReportPage::try_again_wanted); });
   return out;
 }
 

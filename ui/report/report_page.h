@@ -69,8 +69,8 @@ class ReportPage : public QWidget {
   void fit_bar(int width);
   void fill();
   void order_tabs();
-  /// Asks first while a comment or reason is not kept.
-  void leave();
+  /// Emits `wanted`; first it asks while a comment, a reason or points under Marking are not kept.
+  void leave_for(void (ReportPage::*wanted)());
   void show_state();
   void choose_first();
   QWidget* make_score();

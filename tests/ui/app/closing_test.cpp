@@ -1,0 +1,68 @@
+// What the desktop asks before its window closes, where no draft, form or comment is at stake.
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <memory>
+
+#include "scenarios/library/library.h"
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/app/desktop.h"
+#include "ui/report/marking_card.h"
+#include "ui/signin/sign_in.h"
+#include "ui/widgets/number_field.h"
+
+namespace cusp::test {
+namespace {
+
+constexpr int kClosingMs = 60'000;  // waits for progress, never decides
+
+struct Closing : ::testing::Test {
+  Closing() {
+    ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
+      asked.push_back(question.what);
+      answer = std::move(then);
+    };
+  }
+  void sign_in(const Account& who) {
+    desktop = std::make_unique<Desktop>(settings, ports, records.file());
+    desktop->start();
+    desktop->show();
+    desktop->sign_in(who);
+  }
+
+  DeskRecords records;
+  QTemporaryDir folder;
+  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
+  Ports ports = Ports::of_the_system();
+  QStringList asked;
+  std::function<void(bool)> answer;
+  std::unique_ptr<Desktop> desktop;
+};
+
+TEST_F(Closing, asks_over_typed_points_and_the_lock_does_not_say_that_they_are_kept) {
+  sign_in(*records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""}));
+  auto result = std::make_shared<SessionResult>();
+  result->session = records.attempt(records.student("1", "Lena Brandt"), "channel-1", 66, 90);
+  result->scenario = *load_builtin("channel-1");
+  result->grade = (*records.store().grades.newest(result->session))->grade;
+  desktop->end_attempt(result, std::nullopt);
+  const auto card = [this] { return desktop->page()->findChild<MarkingCard*>(); };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return card() != nullptr; }, kClosingMs));
+  card()->set_criterion(&result->grade.criteria.back());
+  auto* points = card()->findChild<NumberField*>();
+  ASSERT_LT(points->value(), points->maximum());
+  points->setValue(points->maximum());
+  desktop->close();
+  ASSERT_EQ(asked, QStringList{QStringLiteral("Close without the changed points?")});
+  EXPECT_TRUE(desktop->isVisible());
+  desktop->lock_idle();
+  ASSERT_FALSE(desktop->account());
+  const auto* page = qobject_cast<SignIn*>(desktop->page());
+  ASSERT_NE(page, nullptr);
+  EXPECT_TRUE(page->message().contains(QStringLiteral("but for the points"))) << page->message().toStdString();
+}
+
+}  // namespace
+}  // namespace cusp::test
