@@ -73,7 +73,10 @@ void SignIn::show_incident(const Message& message) {
   incident_->setVisible(first_start_ || who() == Who::staff);
 }
 
-void SignIn::show_note(const Message& message) { band_->show_message(Band::Kind::info, message.what, message.more); }
+void SignIn::show_note(const Message& message) {
+  note_ = message;
+  band_->show_message(Band::Kind::info, message.what, message.more);
+}
 
 void SignIn::show_no_drilling(const Message& why) {
   show_note(why);
@@ -93,7 +96,7 @@ void SignIn::show_fields(int tab) {
   const bool staff = tab == static_cast<int>(Who::staff);
   student_fields_->setVisible(!staff);
   staff_fields_->setVisible(staff);
-  band_->clear();
+  note_ ? show_note(*note_) : band_->clear();
   incident_->setVisible(staff && !incident_->text().isEmpty());
   (staff ? staff_number_ : number_)->setFocus();
 }

@@ -43,7 +43,7 @@ class SignIn : public QWidget {
   Who who() const;  // staff at the first start
   /// A fault met while the records were opened: shown to staff, and to whoever makes the first administrator.
   void show_incident(const Message& message);
-  /// Why the page is here, until somebody signs in.
+  /// Why the page is here, until somebody signs in; a refusal stands in its place until the tab is changed.
   void show_note(const Message& message);
   /// Likewise; "Try it" is disabled, and its tool tip gives the reason.
   void show_no_drilling(const Message& why);
@@ -103,6 +103,7 @@ class SignIn : public QWidget {
   PinField* pin_ = nullptr;
   QPushButton *enter_ = nullptr, *try_again_ = nullptr, *way_back_ = nullptr, *try_it_ = nullptr;
   Band *band_ = nullptr, *incident_ = nullptr, *reading_only_ = nullptr;
+  std::optional<Message> note_;
   QLabel* picture_ = nullptr;
   QImage image_;
   std::optional<ButtonWait> wait_;  // of enter_

@@ -71,6 +71,20 @@ TEST_F(SignInTest, the_language_has_the_chevron_of_every_menu) {
   EXPECT_EQ(language->text().toStdString(), "");  // sign, text and chevron are labels
 }
 
+TEST_F(SignInTest, the_reason_why_the_page_is_here_stays_over_a_change_of_the_tab) {
+  records.administrator();
+  open();
+  const QString why = QStringLiteral("You were signed out.");
+  page->show_note({why, {}});
+  auto* tabs = page->findChild<QTabBar*>();
+  tabs->setCurrentIndex(1);
+  EXPECT_TRUE(page->message().contains(why)) << page->message().toStdString();
+  button(*page, "Sign in")->click();
+  EXPECT_TRUE(page->message().contains(QStringLiteral("The user name is missing."))) << page->message().toStdString();
+  tabs->setCurrentIndex(0);
+  EXPECT_TRUE(page->message().contains(why)) << page->message().toStdString();
+}
+
 TEST_F(SignInTest, a_student_signs_in_with_number_and_pin) {
   records.student("20267314", "Lena Brandt", "271828");
   open();
