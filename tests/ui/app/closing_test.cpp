@@ -8,7 +8,9 @@
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "ui/admin/station_page.h"
 #include "ui/app/desktop.h"
+#include "ui/app/shell.h"
 #include "ui/report/marking_card.h"
 #include "ui/signin/sign_in.h"
 #include "ui/widgets/number_field.h"
@@ -62,6 +64,23 @@ TEST_F(Closing, asks_over_typed_points_and_the_lock_does_not_say_that_they_are_k
   const auto* page = qobject_cast<SignIn*>(desktop->page());
   ASSERT_NE(page, nullptr);
   EXPECT_TRUE(page->message().contains(QStringLiteral("but for the points"))) << page->message().toStdString();
+}
+
+TEST_F(Closing, asks_over_work_whose_outcome_would_be_shown_nowhere) {
+  settings.set_backup_folder(folder.filePath(QStringLiteral("backups")));
+  sign_in(records.administrator());
+  desktop->shell()->show_page(QStringLiteral("station"));
+  auto* station = qobject_cast<StationPage*>(desktop->shell()->page());
+  ASSERT_NE(station, nullptr);
+  station->back_up();
+  desktop->close();
+  ASSERT_EQ(asked, QStringList{QStringLiteral("Close before the work has ended?")});
+  answer(false);
+  EXPECT_TRUE(desktop->isVisible());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !station->working(); }, kClosingMs));
+  desktop->close();
+  EXPECT_EQ(asked.size(), 1) << "its outcome was shown";
+  EXPECT_FALSE(desktop->isVisible());
 }
 
 }  // namespace
