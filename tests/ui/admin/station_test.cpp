@@ -173,6 +173,21 @@ TEST_F(Station, SaysWhyNoBackupWasMade) {
   EXPECT_TRUE(shown->message().contains(QStringLiteral("No backup was made"))) << shown->message().toStdString();
 }
 
+TEST_F(Station, TakesAMessageAwayOnceOtherWorkBegins) {
+  chosen = folder.filePath(QStringLiteral("a file/backups"));
+  QFile file(folder.filePath(QStringLiteral("a file")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  const auto shown = page();
+  shown->choose_folder();
+  shown->back_up();
+  ASSERT_TRUE(waited(*shown));
+  ASSERT_NE(shown->message(), QString());
+  shown->verify();
+  EXPECT_EQ(shown->message(), QString());
+  ASSERT_TRUE(waited(*shown));
+  EXPECT_TRUE(shown->message().contains(QStringLiteral("whole"))) << shown->message().toStdString();
+}
+
 TEST_F(Station, SaysWhichOldBackupCannotBeRemoved) {
   const auto into = std::filesystem::path(chosen.toStdString());
   std::optional<Backup> oldest;
