@@ -233,10 +233,12 @@ void LogPage::show_progress() {
 }
 
 void LogPage::cancel_verification() {
+  const bool on_cancel = busy_->isAncestorOf(window()->focusWidget());
   progress_.reset();
   task_ = BackgroundTask();
   look_->stop();
   busy_->finish();
+  if (on_cancel) verify_->setFocus(Qt::OtherFocusReason);  // a button that is hidden hands the focus on
 }
 
 /// "It says: Lena Brandt, Account disabled."; empty if the entry is gone.

@@ -22,6 +22,7 @@
 #include "ui/admin/log_page.h"
 #include "ui/text/audit_log_text.h"
 #include "ui/text/language.h"
+#include "ui/widgets/busy.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
@@ -211,6 +212,26 @@ TEST_F(LogPages, ACancelledVerificationShowsNothing) {
   QCoreApplication::processEvents();
   EXPECT_TRUE(shown->message().isEmpty()) << shown->message().toStdString();
   EXPECT_TRUE(cell(*shown, 0, LogModel::kProof).isEmpty());
+}
+
+TEST_F(LogPages, GivesTheFocusBackAfterAVerificationWasCancelledWithTheKeyboard) {
+  const auto shown = page();
+  shown->show();
+  shown->verify();
+  Busy* busy = nullptr;
+  for (Busy* one : shown->findChildren<Busy*>())
+    if (one->running()) busy = one;
+  ASSERT_NE(busy, nullptr);
+  busy->show();
+  auto* cancel = busy->findChild<QPushButton*>();
+  cancel->setFocus();
+  ASSERT_EQ(shown->focusWidget(), cancel);
+  cancel->click();
+  EXPECT_FALSE(shown->verifying());
+  const auto* now = qobject_cast<QPushButton*>(shown->focusWidget());
+  ASSERT_NE(now, nullptr);
+  EXPECT_EQ(now->text().trimmed(), QStringLiteral("Verify now"));
+  wait_for_dropped_tasks();
 }
 
 TEST_F(LogPages, ExportsWhatTheFiltersLeaveAndLogsThat) {
