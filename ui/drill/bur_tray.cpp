@@ -187,6 +187,7 @@ void BurTray::show_burs(int in_use, int wanted) {
 int BurTray::chosen() const { return group_->checkedId(); }
 
 void BurTray::step(int by) {
+  if (!isEnabled()) return;  // keys reach it though
   const int to = std::clamp(chosen() + by, 0, std::max(count_ - 1, 0));
   if (to == chosen() || count_ == 0) return;
   choose(to);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QSignalSpy>
 
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
@@ -26,6 +27,21 @@ TEST(BurTray, says_what_to_do_while_the_wanted_bur_waits_for_the_air) {
   EXPECT_EQ(tray.chosen(), 1) << "the next one is counted from the wanted one";
   tray.show_burs(1, 1);
   EXPECT_FALSE(asks_to_lift(tray));
+}
+
+TEST(BurTray, takes_no_key_while_it_is_disabled) {
+  BurTray tray;
+  tray.set_burs(load_builtin("class-1-36")->instruments);
+  tray.show_burs(0, 0);
+  QSignalSpy chosen(&tray, &BurTray::bur_chosen);
+  tray.setEnabled(false);
+  tray.step(1);
+  EXPECT_EQ(tray.chosen(), 0);
+  EXPECT_EQ(chosen.count(), 0);
+  tray.setEnabled(true);
+  tray.step(1);
+  EXPECT_EQ(tray.chosen(), 1);
+  EXPECT_EQ(chosen.count(), 1);
 }
 
 }  // namespace
