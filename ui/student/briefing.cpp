@@ -112,7 +112,7 @@ Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std
   whole->setContentsMargins(0, 0, 0, 0);
   whole->addWidget(stack_);
   stack_->addWidget(make_briefing());
-  setFocusProxy(start_);
+  setFocusProxy(start_->isEnabled() ? start_ : back_);
   connect(&pictures_, &ThumbnailCache::ready, this, &Briefing::show_picture);
   show_picture();
 }
@@ -156,9 +156,9 @@ void Briefing::watch_reference() {
 
 QWidget* Briefing::make_bar() {
   const auto [bar, row] = make_bar_top();
-  QPushButton* back = add_way_back({bar, row}, tr("Back"));
-  connect(back, &QPushButton::clicked, this, &Briefing::back_wanted);
-  let_escape_go_back(back);
+  back_ = add_way_back({bar, row}, tr("Back"));
+  connect(back_, &QPushButton::clicked, this, &Briefing::back_wanted);
+  let_escape_go_back(back_);
   add_title({bar, row}, local(exercise_.scenario.title));
   return bar;
 }

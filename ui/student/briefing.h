@@ -47,7 +47,7 @@ class Briefing : public QWidget {
   std::optional<ToothAhead> ahead_;
   QStackedWidget* stack_;  // the briefing, and the reference over it
   QLabel* picture_;
-  QPushButton* start_;
+  QPushButton *back_, *start_;
   QPushButton* watch_ = nullptr;
 };
 

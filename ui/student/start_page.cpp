@@ -67,7 +67,10 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
   auto course = load_course(store, account.actor());
   if (!course) {
     const Message message = describe(course.error());
-    outer->addWidget(new EmptyState(u"warning"_qs, message.what, message.more, {}, Ink::bad));
+    auto* unread = new EmptyState(u"warning"_qs, message.what, message.more, tr("Try again"), Ink::bad);
+    connect(unread, &EmptyState::acted, this, &StartPage::assessment_opened);
+    outer->addWidget(unread);
+    setFocusProxy(unread->button());
     return;
   }
   course_ = std::move(*course);
@@ -104,7 +107,11 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
     first = card->start_button();
     break;
   }
-  if (first != nullptr) setFocusProxy(first);
+  if (first != nullptr && first->isEnabled()) {
+    setFocusProxy(first);
+  } else if (table_ != nullptr) {
+    setFocusProxy(table_);
+  }
   wait_for_opening(now);
 }
 

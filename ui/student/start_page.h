@@ -33,7 +33,7 @@ class StartPage : public QWidget {
 
  Q_SIGNALS:
   void assessment_wanted(const AssignedAssessment& assessment);
-  /// One that opened later than the page was made opens now: a page made anew offers its start.
+  /// One that opened later than the page was made opens now, or what could not be read is tried again: a page made anew shows it.
   void assessment_opened();
   void start_wanted(const Exercise& exercise);
   void briefing_wanted(const Exercise& exercise);

@@ -1,9 +1,10 @@
-// What a briefing says of the depth that its exercise asks for.
+// What a briefing says of the depth that its exercise asks for, and where the keyboard begins.
 
 #include <gtest/gtest.h>
 
 #include <QFormLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QTemporaryDir>
 
 #include "scenarios/library/library.h"
@@ -48,6 +49,20 @@ TEST(RequiredDepth, of_several_targets_is_given_once_or_for_each) {
   ASSERT_EQ(two.target.parts.size(), 2u);
   two.target.parts[1].outline.depth_mm = 2.2;
   EXPECT_EQ(required_depth(two), "mesial cavity: 1.8 mm\ndistal cavity: 2.2 mm");
+}
+
+TEST(Briefing, begins_the_keyboard_on_a_button_that_can_be_pressed) {
+  const QTemporaryDir cache;
+  ThumbnailCache pictures(cache.path().toStdString());
+  Exercise exercise;
+  exercise.scenario = *load_builtin("class-1-36");
+  const auto first = [&](const QString& refusal) {
+    const Briefing page(exercise, pictures, {}, nullptr, refusal);
+    const auto* button = qobject_cast<QPushButton*>(page.focusProxy());
+    return button != nullptr && button->isEnabled() ? button->text().trimmed() : QString();
+  };
+  EXPECT_EQ(first({}), QStringLiteral("Start"));
+  EXPECT_EQ(first(QStringLiteral("Your assessment of this exercise is not handed in yet.")), QStringLiteral("Back"));
 }
 
 }  // namespace

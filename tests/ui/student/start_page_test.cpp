@@ -254,6 +254,16 @@ TEST_F(StartPageCards, an_interrupted_attempt_that_an_older_program_has_ended_is
   EXPECT_TRUE(texts_of(*card).contains(QStringLiteral("An older version of Cusp ended it"))) << texts_of(*card).toStdString();
 }
 
+TEST_F(StartPageCards, the_keyboard_begins_on_the_list_where_nothing_can_be_started) {
+  page();
+  EXPECT_NE(shown->focusProxy(), shown->table()) << "an assessment is open";
+  sit();  // it runs in another window
+  ASSERT_FALSE(page()->start_button()->isEnabled());
+  ASSERT_EQ(shown->interrupted(), nullptr);
+  ASSERT_NE(shown->table(), nullptr);
+  EXPECT_EQ(shown->focusProxy(), shown->table());
+}
+
 TEST_F(StartPageCards, an_assessment_that_is_not_handed_in_keeps_its_exercise_from_practice) {
   EXPECT_FALSE(refusal("channel-1"));
   EXPECT_TRUE(page()->start_button()->isEnabled()) << "the next exercise is channel-1";

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 #include <algorithm>
 
@@ -12,6 +14,7 @@
 #include "tests/ui/desk_records.h"
 #include "ui/student/interrupted_card.h"
 #include "ui/student/start_page.h"
+#include "ui/widgets/empty_state.h"
 
 namespace cusp::test {
 namespace {
@@ -108,6 +111,19 @@ TEST_F(UnreadAssessments, leave_an_interrupted_attempt_whose_cuts_cannot_be_read
   EXPECT_EQ(message(), QString());
   EXPECT_TRUE(cards_say(QStringLiteral("It broke off after")));
   EXPECT_FALSE(cards_say(QStringLiteral("before anything was cut")));
+}
+
+TEST_F(UnreadAssessments, and_unread_exercises_leave_a_page_that_offers_to_try_again) {
+  ASSERT_TRUE(records.store().database().run("DROP INDEX summaries_of_student"));  // no exercise's attempts are counted without it
+  message();
+  QSignalSpy again(shown.get(), &StartPage::assessment_opened);
+  ASSERT_EQ(shown->table(), nullptr);
+  auto* unread = shown->findChild<EmptyState*>();
+  ASSERT_NE(unread, nullptr);
+  ASSERT_NE(unread->button(), nullptr);
+  EXPECT_EQ(shown->focusProxy(), unread->button());
+  unread->button()->click();
+  EXPECT_EQ(again.count(), 1);
 }
 
 }  // namespace
