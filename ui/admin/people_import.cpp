@@ -44,9 +44,8 @@ PeopleImport::PeopleImport(Store& store, const Actor& actor, const Ports& ports,
   outer->addWidget(head);
   band_ = new Band;
   outer->addWidget(band_);
-  busy_ = new Busy;
-  busy_->hide();
-  outer->addWidget(busy_);
+  run_ = new WorkRun(this);
+  outer->addWidget(run_->busy());
   auto* card = new Card;
   auto* table = new Table;
   table->setAccessibleName(tr("Lines of the list"));
@@ -61,7 +60,7 @@ PeopleImport::PeopleImport(Store& store, const Actor& actor, const Ports& ports,
   connect(choose_, &QPushButton::clicked, this, &PeopleImport::choose_file);
   connect(start_, &QPushButton::clicked, this, &PeopleImport::start);
   connect(save_, &QPushButton::clicked, this, &PeopleImport::save_slips);
-  connect(busy_, &Busy::cancelled, this, &PeopleImport::stop);
+  connect(run_->busy(), &Busy::cancelled, this, &PeopleImport::stop);
   fit_buttons();
   setFocusProxy(choose_);
 }
@@ -151,12 +150,13 @@ void PeopleImport::read_file(const QString& path) {
 void PeopleImport::start() {
   if (working()) return;
   PeopleImportWork work{records_of(store_), actor_, to_do()};
-  lines_ = static_cast<int>(work.lines.size());
   if (slips_saved_) slips_.clear();
   slips_before_ = slips_.size();
   slips_saved_ = false;
   band_->clear();
-  busy_->start(tr("Making accounts"), Busy::Cancel::offered);
+  progress_ = run_->start(tr("Making accounts"),
+                          [](std::size_t done, std::size_t all) { return tr("%1 of %2").arg(count_text(done), count_text(all)); });
+  progress_->all = work.lines.size();
   stop_.emplace();
   fit_buttons();
   task_ = make_accounts(std::move(work), stop_->get_token(),
@@ -170,14 +170,11 @@ void PeopleImport::stop() {
 
 void PeopleImport::add_slip(const PinSlip& slip) { slips_.push_back(slip); }
 
-void PeopleImport::show_done(const int& lines) {
-  busy_->set_progress(static_cast<double>(lines) / lines_, tr("%1 of %2").arg(QLocale().toString(lines), QLocale().toString(lines_)));
-}
+void PeopleImport::show_done(const int& lines) { progress_->done = static_cast<std::size_t>(lines); }
 
 void PeopleImport::end(const PeopleImportEnd& end) {
   const bool stopped = stop_->stop_requested();
   stop_.reset();
-  busy_->finish();
   // A second start makes what is left: lines that were done are known now. A line that was left out may repeat the number of another.
   std::vector<ListedStudent> lines = model_->students();
   for (ListedStudent& line : lines)
@@ -187,6 +184,7 @@ void PeopleImport::end(const PeopleImportEnd& end) {
     }
   model_->set_students(std::move(lines));
   fit_buttons();
+  run_->finish(save_);
   const QString what = !end.failure ? (stopped ? tr("Stopped.") : tr("The list is imported."))
                        : end.line == 0 ? describe(*end.failure).line()
                                        : tr("Stopped at line %1.").arg(end.line) + u' ' + describe(*end.failure).line();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QWidget>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "storage/store.h"
 #include "ui/admin/people_import_work.h"
 #include "ui/admin/student_list_model.h"
+#include "ui/admin/work_run.h"
 #include "ui/modules.h"
 #include "ui/widgets/ports.h"
 
@@ -19,7 +21,6 @@ class QStackedWidget;
 namespace cusp::ui {
 
 class Band;
-class Busy;
 
 class PeopleImport : public QWidget {
   Q_OBJECT
@@ -62,11 +63,11 @@ class PeopleImport : public QWidget {
   StudentListModel* model_;
   QStackedWidget* shown_ = nullptr;  // why there are none, and the table
   Band* band_ = nullptr;
-  Busy* busy_ = nullptr;
+  WorkRun* run_ = nullptr;
   QPushButton *choose_ = nullptr, *start_ = nullptr, *save_ = nullptr;
   std::optional<std::stop_source> stop_;  // of the work that runs
   BackgroundTask task_;
-  int lines_ = 0;               // of the work that runs
+  std::shared_ptr<WorkProgress> progress_;  // of the newest work, in lines
   std::vector<PinSlip> slips_;  // of every start since they were saved; PINs stand nowhere else
   std::size_t slips_before_ = 0;  // of them, from before the last start
   bool slips_saved_ = false;

@@ -42,23 +42,28 @@ void WorkRun::show(const QString& title, Counted counted, Busy::Cancel cancel) {
   counted_ = std::move(counted);
   pressed_ = focused();
   handed_to_ = nullptr;
-  QTimer::singleShot(0, this, [this] { handed_to_ = focused(); });
+  handed_ = false;
+  QTimer::singleShot(0, this, [this] {
+    handed_to_ = focused();
+    handed_ = true;
+  });
   busy_->start(title, cancel);
   timer_->start(kReadProgressMs);
 }
 
-void WorkRun::finish() {
+void WorkRun::finish(QWidget* instead) {
   const QWidget* now = focused();
   const bool lost = handed_on(now) || busy_->isAncestorOf(now);
   progress_.reset();
   timer_->stop();
   busy_->finish();
-  if (lost && pressed_) pressed_->setFocus(Qt::OtherFocusReason);
+  QWidget* back = pressed_ && pressed_->isEnabled() ? pressed_.data() : instead;
+  if (lost && back != nullptr) back->setFocus(Qt::OtherFocusReason);
 }
 
 QWidget* WorkRun::focused() const { return busy_->window()->focusWidget(); }
 
-bool WorkRun::handed_on(const QWidget* now) const { return now != pressed_ && (now == nullptr || now == handed_to_); }
+bool WorkRun::handed_on(const QWidget* now) const { return now != pressed_ && (!handed_ || now == nullptr || now == handed_to_); }
 
 void WorkRun::cancel() {
   if (running()) progress_->stop = true;

@@ -39,8 +39,9 @@ class WorkRun : public QObject {
   std::shared_ptr<WorkProgress> start(const QString& title, Counted counted);
   /// Shows a work that runs already, without Cancel. Pre: none runs.
   void follow(std::shared_ptr<WorkProgress> progress, const QString& title, Counted counted);
-  /// Gives the focus back that a disabled button or Cancel has handed on. Comes once the page has enabled its parts.
-  void finish();
+  /// Gives the focus back that a disabled button or Cancel has handed on; to `instead` where the button stays off. Comes once the page
+  /// has enabled its parts.
+  void finish(QWidget* instead = nullptr);
   /// Stops the work before its next step. Its outcome shows whether it was over before.
   void cancel();
 
@@ -56,6 +57,7 @@ class WorkRun : public QObject {
   Counted counted_;
   std::shared_ptr<WorkProgress> progress_;  // null: none runs
   QPointer<QWidget> pressed_, handed_to_;   // what had the focus before, and what got it when that was disabled
+  bool handed_ = false;                     // handed_to_ is known: from the next turn of the event loop on
 };
 
 }  // namespace cusp::ui

@@ -2,14 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <QBoxLayout>
+#include <QFile>
 #include <QLabel>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QWidget>
 #include <algorithm>
 #include <functional>
 
 #include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/admin/people_import.h"
 #include "ui/admin/work_run.h"
 #include "ui/widgets/busy.h"
 
@@ -108,9 +112,52 @@ TEST_F(FocusOfWork, StaysWhereSomebodyPutItUntilCancelIsShown) {
   EXPECT_EQ(after_work(move_and_wait), third);
 }
 
+TEST_F(FocusOfWork, GoesToWhatThePageNamesWhereTheButtonStaysOff) {
+  start();
+  begin->setEnabled(false);
+  QCoreApplication::processEvents();
+  ASSERT_NE(page.focusWidget(), third);
+  run->finish(third);
+  EXPECT_EQ(page.focusWidget(), third);
+}
+
+TEST_F(FocusOfWork, IsGivenBackAfterWorkThatEndsAtOnce) {
+  start();
+  begin->setEnabled(false);
+  ASSERT_NE(page.focusWidget(), begin);
+  begin->setEnabled(true);
+  run->finish();
+  EXPECT_EQ(page.focusWidget(), begin);
+}
+
 TEST_F(FocusOfWork, StaysWhereSomebodyPutIt) {
   ASSERT_NE(page.focusWidget(), third);
   EXPECT_EQ(after_work([&] { third->setFocus(); }), third);
+}
+
+TEST(FocusOfPeopleImport, GoesToTheSlipsThatAreToBeSaved) {
+  DeskRecords records;
+  const QTemporaryDir folder;
+  QFile list(folder.filePath(QStringLiteral("list.csv")));
+  ASSERT_TRUE(list.open(QIODevice::WriteOnly));
+  list.write("number,name\n2,New Two\n");
+  list.close();
+  Ports ports = Ports::of_the_system();
+  ports.pick_file = [&list](QWidget*, const FileWish&, const std::function<void(const QString&)>& then) { then(list.fileName()); };
+  PeopleImport page(records.store(), records.administrator().actor(), ports);
+  page.choose_file();
+  page.show();
+  QPushButton *make = nullptr, *save = nullptr;
+  for (QPushButton* one : page.findChildren<QPushButton*>()) {
+    if (one->accessibleName() == QStringLiteral("Make the accounts")) make = one;
+    if (one->accessibleName() == QStringLiteral("Save the PIN slips")) save = one;
+  }
+  ASSERT_NE(make, nullptr);
+  make->setFocus();
+  make->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page.working(); }, kShownWithinMs));
+  EXPECT_FALSE(make->isEnabled());
+  EXPECT_EQ(page.focusWidget(), save);
 }
 
 TEST_F(WorkRunTest, WithoutProgressNobodyIsAsked) { EXPECT_FALSE(static_cast<bool>(watch_of({}))); }
