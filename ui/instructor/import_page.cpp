@@ -137,6 +137,7 @@ void ImportPage::build_files(QVBoxLayout* body) {
     show_files();
     first_pick_->setFocus();
   });
+  connect(busy_, &Busy::shown, busy_, &Busy::focus_cancel);  // all else but the way back is off meanwhile
   connect(busy_, &Busy::cancelled, this, [this] {
     take_back_files();
     end_look();

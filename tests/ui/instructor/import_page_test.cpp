@@ -45,6 +45,19 @@ TEST_F(ImportPageTest, the_focus_goes_from_a_chosen_file_to_the_next_one_and_not
   EXPECT_EQ(page->focusWidget(), page->findChild<ImportDrop*>()->button());
 }
 
+TEST_F(ImportPageTest, the_focus_is_on_cancel_while_a_file_is_read) {
+  page->setFocus();
+  write_text(folder / "a.stl", binary_stl(sphere("a", {0, 0, 0}, 5.0, 2)));
+  page->open_files({file("a.stl")});
+  ASSERT_TRUE(page->busy());
+  auto* busy = page->findChild<Busy*>();
+  busy->show();
+  Q_EMIT busy->shown();
+  EXPECT_EQ(page->focusWidget(), busy->findChild<QPushButton*>()) << "on the way back Enter would leave the page";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
+  EXPECT_EQ(page->focusWidget(), button(QStringLiteral("Add a file…")));
+}
+
 TEST_F(ImportPageTest, a_mesh_is_drawn_to_scale_beside_a_molar) {
   write_text(folder / "a.stl", binary_stl(sphere("a", {0, 0, 0}, 5.0, 3)));  // 10 mm across
   open({file("a.stl")});
