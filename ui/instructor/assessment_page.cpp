@@ -279,6 +279,7 @@ void AssessmentPage::leave_adjustment(std::function<void()> then) {
 }
 
 void AssessmentPage::leave() {
+  extra_->interpretText();  // a shortcut leaves the focus in the field
   if (!half_filled()) return Q_EMIT back_wanted();
   leave_adjustment([this] { Q_EMIT back_wanted(); });
 }

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFile>
 #include <QLayout>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -221,6 +222,19 @@ TEST_F(Candidates, WhoseAdjustmentIsNotKeptYetAreAskedAboutBeforeAnotherOneIsSho
   EXPECT_DOUBLE_EQ(extra->value(), 0);
   EXPECT_FALSE(page.half_filled());
   EXPECT_EQ(*records.store().assignments.adjustment(assignment.id, page.model().row(0).student), Adjustment{});
+}
+
+TEST_F(Candidates, WhoseExtraTimeIsBeingTypedAreAskedAboutBeforeAShortcutLeavesThePage) {
+  ports.ask = [this](QWidget*, const Question& question, const std::function<void(bool)>&) { asked = question.what; };
+  AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  QSignalSpy back(&page, &AssessmentPage::back_wanted);
+  page.show();
+  page.table()->choose_row(0);
+  page.findChild<NumberField*>()->findChild<QLineEdit*>()->setText(QStringLiteral("25"));
+  for (QPushButton* button : page.findChildren<QPushButton*>())
+    if (button->accessibleName() == QStringLiteral("Back")) button->click();  // which leaves the focus where it is
+  EXPECT_EQ(asked, QStringLiteral("Leave without saving the form?"));
+  EXPECT_EQ(back.count(), 0);
 }
 
 TEST_F(Candidates, WhoLeftTheCohortReceiveNoAdjustmentAndTheExaminerReadsWhy) {
