@@ -28,6 +28,9 @@ struct Opened {
   Message message;
 };
 
+/// Of may_read_result(): any other failure is one of the records.
+bool is_withheld(const StorageFailure& why) { return why.code == StorageError::not_allowed; }
+
 Opened open_in_background(const OwnStore& store, const SessionId& session, const Actor& reader, Keep keep) {
   if (!store) return {nullptr, {}, describe(store.error())};
   auto result = open_result(**store, session, keep);
@@ -41,7 +44,9 @@ Opened open_in_background(const OwnStore& store, const SessionId& session, const
 void Desktop::open_report(const SessionId& session) {
   const auto state = store_->sessions.state(session);
   if (state && *state == SessionState::running) return show_failure(describe(StorageFailure{StorageError::wrong_state, "session", session.text()}));
-  if (store_->history.may_read_result(account_->actor(), session)) return open_result_page(session, Keep::nothing);
+  const auto readable = store_->history.may_read_result(account_->actor(), session);
+  if (readable) return open_result_page(session, Keep::nothing);
+  if (!is_withheld(readable.error())) return show_failure(describe(readable.error()));
   if (state && *state == SessionState::interrupted && !reading_only_) return shell_->show_page(u"start"_qs);
   show_handed_in(session);
 }
@@ -79,8 +84,8 @@ void Desktop::open_result_page(const SessionId& session, Keep keep) {
             end_attempt(opened->result, exercise);
             return drop(waiting);
           }
-          if (!store_->history.may_read_result(account_->actor(), opened->result->session)) {
-            show_handed_in(opened->result->session);
+          if (const auto readable = store_->history.may_read_result(account_->actor(), opened->result->session); !readable) {
+            is_withheld(readable.error()) ? show_handed_in(opened->result->session) : show_failure(describe(readable.error()));
             return drop(waiting);
           }
           show_report(opened->result, std::move(opened->report), exercise);
@@ -161,7 +166,9 @@ void Desktop::end_attempt(const std::shared_ptr<const SessionResult>& result, co
 void Desktop::show_result(std::shared_ptr<const SessionResult> result, std::optional<Exercise> exercise) {
   const bool kept = account_ && store_ && !result->session.is_nil();
   if (!kept) return show_report(result, gather_report(*result, nullptr, nullptr), exercise);
-  if (!store_->history.may_read_result(account_->actor(), result->session)) return show_handed_in(result->session);
+  if (const auto readable = store_->history.may_read_result(account_->actor(), result->session); !readable) {
+    return is_withheld(readable.error()) ? show_handed_in(result->session) : show_failure(describe(readable.error()));
+  }
   auto* busy = new Busy;
   QWidget* waiting = make_page(busy);
   push(waiting);

@@ -1,4 +1,4 @@
-// The report of an attempt whose records do not open a second time.
+// The report of an attempt whose records do not open a second time, or cannot be read.
 #include <gtest/gtest.h>
 
 #include <QTemporaryDir>
@@ -9,7 +9,10 @@
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/app/desktop.h"
+#include "ui/app/shell.h"
 #include "ui/report/report_page.h"
+#include "ui/student/assessments.h"
+#include "ui/widgets/empty_state.h"
 
 namespace cusp::test {
 namespace {
@@ -43,6 +46,31 @@ TEST(UnreadReport, NamesWhyTheRecordsDoNotOpenAndDeniesNoAttempt) {
   ASSERT_NE(report(), nullptr);
   EXPECT_TRUE(report()->data().unread);
   EXPECT_FALSE(occasion_text(report()->data(), Medium::screen).contains(QStringLiteral("Nothing of this attempt is kept")));
+}
+
+TEST(UnreadReport, IsNotTakenForOneThatIsHandedInAndWithheld) {
+  DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt");
+  auto result = std::make_shared<SessionResult>();
+  result->session = records.attempt(lena, "channel-1", 66, 90);
+  result->scenario = *load_builtin("channel-1");
+  result->grade = (*records.store().grades.newest(result->session))->grade;
+  const QTemporaryDir folder;
+  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
+  Desktop desktop(settings, Ports::of_the_system(), records.file());
+  desktop.start();
+  desktop.show();
+  desktop.sign_in(lena);
+  ASSERT_TRUE(records.store().database().run("ALTER TABLE session_summaries RENAME TO lost_summaries"));
+  const auto shows_why = [&desktop] {
+    const QWidget* page = desktop.page();
+    return page != desktop.shell() && qobject_cast<const HandedIn*>(page) == nullptr && page->findChild<EmptyState*>() != nullptr;
+  };
+  desktop.open_report(result->session);
+  EXPECT_TRUE(shows_why());
+  desktop.back();
+  desktop.end_attempt(result, std::nullopt);
+  EXPECT_TRUE(shows_why());
 }
 
 }  // namespace
