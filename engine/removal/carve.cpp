@@ -1,5 +1,6 @@
 #include "engine/removal/carve.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/base/lanes.h"
@@ -36,8 +37,7 @@ class BallSweep {
     return distance2(Vec3(corner) + 3.5) <= reach * reach;
   }
   std::int32_t id = Volume::kNoSweep;
-  /// Of the middle of a brick's row of voxels: one further than row_reach() is not lowered.
-  double row_distance2(Vec3 first) const noexcept { return distance2(first + Vec3(3.5, 0.0, 0.0)); }
+  /// Of the middle of a brick's row of voxels, half a row from its ends: one further is not lowered.
   double row_reach() const noexcept { return far_ + 3.6; }
   Vec3 begin() const noexcept { return p_; }
   Vec3 end() const noexcept { return p_ + along_; }
@@ -70,30 +70,24 @@ class BallSweep {
   double r_ = 0.0, far_ = 0.0, inverse_ = 0.0;
 };
 
-/// Some sweeps of one ball that are carved together.
+/// Some sweeps of one ball that follow each other and are carved together.
 struct BallSweeps {
   BallSweep sweep[kMostAtOnce];
   int count = 0;
   IVec3 low{0}, high{0};
-  double spread = 0.0;  // voxels: the distances of a place to two of the sweeps differ by no more
+  BallSweep chord;    // from where they begin to where they end
+  double bend = 0.0;  // voxels: none of them goes further from the chord
   void add(const BallSweep& one) noexcept {
     low = count == 0 ? one.low : glm::min(low, one.low);
     high = count == 0 ? one.high : glm::max(high, one.high);
     sweep[count++] = one;
-    Vec3 least = one.begin(), most = least;
-    for (int k = 0; k < count; ++k) {
-      least = glm::min(least, glm::min(sweep[k].begin(), sweep[k].end()));
-      most = glm::max(most, glm::max(sweep[k].begin(), sweep[k].end()));
-    }
-    spread = std::sqrt(glm::dot(most - least, most - least));
   }
-  /// Those that may lower a row of voxels, a bit each.
-  unsigned reaching(Vec3 row) const noexcept {
-    const double reach = sweep[0].row_reach(), first2 = sweep[0].row_distance2(row);
-    if (first2 > (reach + spread) * (reach + spread)) return 0;
-    unsigned out = first2 <= reach * reach ? 1u : 0u;
-    for (int k = 1; k < count; ++k) out |= static_cast<unsigned>(sweep[k].row_distance2(row) <= reach * reach) << k;
-    return out;
+  /// After the last add().
+  void close(const Grid& grid, Vec3 a, Vec3 b, double radius_mm) noexcept {
+    chord = BallSweep(grid, a, b, radius_mm);
+    double bend2 = 0.0;
+    for (int k = 0; k < count; ++k) bend2 = std::max({bend2, chord.distance2(sweep[k].begin()), chord.distance2(sweep[k].end())});
+    bend = std::sqrt(bend2);
   }
 };
 
@@ -101,8 +95,10 @@ struct BallSweeps {
 bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner, ChangedVoxels& changed) noexcept {
   const IVec3 from = glm::max(all.low - corner, IVec3(0));
   const IVec3 to = glm::min(all.high - corner, IVec3(7));
-  // In 1/65535, with the rounding of two solid fractions.
-  const auto spread = static_cast<int>(all.spread * (65535.0 / (2.0 * kBandVoxels))) + 3;
+  // What a bend lowers the chord's solid fractions by at most, in 1/65535, with the rounding of two.
+  const auto lower = static_cast<int>(all.bend * (65535.0 / (2.0 * kBandVoxels))) + 3;
+  const double reach = all.chord.row_reach() + all.bend;
+  const BallSweep::Way chord = all.chord.way_from(corner);
   BallSweep::Way way[kMostAtOnce];
   for (int k = 0; k < all.count; ++k) way[k] = all.sweep[k].way_from(corner);
   const std::uint16_t* known = volume.cut_of(brick);
@@ -110,8 +106,7 @@ bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner,
   std::int32_t* ids = nullptr;
   for (int z = from.z; z <= to.z; ++z)
     for (int y = from.y; y <= to.y; ++y) {
-      const unsigned reaching = all.reaching(Vec3(corner + IVec3(0, y, z)));
-      if (reaching == 0) continue;
+      if (all.chord.distance2(Vec3(corner + IVec3(0, y, z)) + Vec3(3.5, 0.0, 0.0)) > reach * reach) continue;
       for (int x = from.x & 4; x <= to.x; x += kLanes) {
         const int o = brick_offset(x, y, z);
         std::uint64_t four = ~std::uint64_t{0};
@@ -119,12 +114,10 @@ bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner,
         if (four == 0) continue;
         const LaneMask before = from_memory(four);
         const Vec3f first(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
-        int k = __builtin_ctz(reaching);
-        Lanes nearest = way[k].distances2(first);
-        if (bits_of(before > all.sweep[0].solid(nearest) - spread) == 0) continue;  // the others lower none of the four
-        LaneMask by = LaneMask{} + all.sweep[k].id;
-        for (unsigned left = reaching & (reaching - 1); left != 0; left &= left - 1) {
-          k = __builtin_ctz(left);
+        if (bits_of(before > all.chord.solid(chord.distances2(first)) - lower) == 0) continue;
+        Lanes nearest = way[0].distances2(first);
+        LaneMask by = LaneMask{} + all.sweep[0].id;
+        for (int k = 1; k < all.count; ++k) {
           const Lanes square = way[k].distances2(first);
           const LaneMask nearer = square < nearest;
           nearest = nearer ? square : nearest;
@@ -175,6 +168,7 @@ Carved carve(Volume& volume, const BallSweeps& all, CarvePart part) noexcept {
 Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm, CarvePart part) noexcept {
   BallSweeps all;
   all.add(BallSweep(volume.grid(), a, b, radius_mm));
+  all.close(volume.grid(), a, b, radius_mm);
   return carve(volume, all, part);
 }
 
@@ -184,6 +178,7 @@ Carved carve_run(Volume& volume, const Sweeps& sweeps, SweepRun run, CarvePart p
     const Sweep sweep = sweeps[id];
     all.add(BallSweep(volume.grid(), sweep.a, sweep.b, sweep.radius_mm, id));
   }
+  all.close(volume.grid(), sweeps[run.from].a, sweeps[run.from + all.count - 1].b, sweeps[run.from].radius_mm);
   return carve(volume, all, part);
 }
 
