@@ -79,6 +79,9 @@ QString group_advice(const std::string& m, OffBy off) {
   if (m == "contact_broken")
     return too_little ? Text::tr("Open the box until nothing touches the neighbour.")
                       : Text::tr("End the box short of the neighbour: the contact stays closed.");
+  if (m == "clearance_gingival")
+    return too_little ? Text::tr("Lower the gingival floor until its margin stands clear of the neighbour.")
+                      : Text::tr("Keep the gingival floor higher: its margin lies far from the neighbour.");
   if (m.starts_with("clearance_"))
     return too_little ? Text::tr("Widen the box until the margin stands far enough from the neighbour.")
                       : Text::tr("Keep the box narrow: the margin lies far from the neighbour.");
