@@ -73,7 +73,8 @@ QString reason(const Finding& f) {
   if (c == "nothing_protected") return CliText::tr("damage of a protected part fails the attempt, and nothing is protected");
   if (c == "critical_twice") return CliText::tr("%1 is named twice among what fails the attempt").arg(text(f.detail));
   if (c == "no_criteria") return CliText::tr("the rubric has no criterion");
-  if (c == "weight_zero" || c == "weights_zero") return CliText::tr("no criterion brings points");
+  if (c == "weight_zero") return CliText::tr("%1 brings no points").arg(text(f.detail));
+  if (c == "weights_zero") return CliText::tr("no criterion brings points");
   if (c == "target_missing") return CliText::tr("%1 is of a target that the exercise does not have").arg(text(f.detail));
   if (c == "bands_not_ordered") return CliText::tr("the bands are not in rising order");
   if (c == "pass_unreachable") return CliText::tr("the pass mark cannot be reached");
