@@ -289,6 +289,13 @@
             <numerusform>%n davon sind trotz ausreichender Punkte wegen eines kritischen Ereignisses nicht bestanden: Das Notenbuch sieht nur die Punkte.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n student(s) have no graded attempt: %1.</source>
+        <translation>
+            <numerusform>%n Person hat keinen bewerteten Versuch: %1.</numerusform>
+            <numerusform>%n Studierende haben keinen bewerteten Versuch: %1.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssessmentStart</name>
@@ -306,7 +313,7 @@
     </message>
     <message>
         <source>You have %1. The clock starts with the tooth; a device fault stops it.</source>
-        <translation>Sie haben %1. Die Uhr beginnt mit dem Zahn; eine Störung des Geräts hält sie an.</translation>
+        <translation>Sie haben %1. Die Zeit läuft, sobald der Zahn da ist; eine Störung des Geräts hält sie an.</translation>
     </message>
     <message>
         <source>Start code, from the invigilator</source>
@@ -3230,10 +3237,6 @@
         <translation>Die Standardausgabe kann nicht geschrieben werden: %1.</translation>
     </message>
     <message>
-        <source>This computer’s date is right, although the newest attempt is more than half a year old</source>
-        <translation>Das Datum dieses Computers stimmt, obwohl der neueste Versuch mehr als ein halbes Jahr alt ist</translation>
-    </message>
-    <message>
         <source>If that date is right, add --clock-is-right.</source>
         <translation>Wenn dieses Datum stimmt, geben Sie zusätzlich --clock-is-right an.</translation>
     </message>
@@ -3351,6 +3354,25 @@
     <message>
         <source>Attempts verified and whole: %1. The others were not verified.</source>
         <translation>Geprüft und unversehrt: %1 (Versuche). Die übrigen wurden nicht geprüft.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) have no graded attempt: %1.</source>
+        <translation>
+            <numerusform>%n Person hat keinen bewerteten Versuch: %1.</numerusform>
+            <numerusform>%n Studierende haben keinen bewerteten Versuch: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The dates are right, although for more than half a year nothing was recorded</source>
+        <translation>Die Datumsangaben stimmen, obwohl mehr als ein halbes Jahr lang nichts aufgezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>If these dates are right, add --clock-is-right.</source>
+        <translation>Wenn diese Datumsangaben stimmen, geben Sie zusätzlich --clock-is-right an.</translation>
+    </message>
+    <message>
+        <source>%1 brings no points</source>
+        <translation>%1 bringt keine Punkte</translation>
     </message>
 </context>
 <context>
@@ -4204,6 +4226,38 @@
         <source>What you did is kept, but for the outcome of work that still ran: look how it ended.</source>
         <translation>Was Sie getan haben, bleibt erhalten, nur das Ergebnis dessen, was noch lief, wird nicht mehr angezeigt: Sehen Sie nach, wie es ausging.</translation>
     </message>
+    <message>
+        <source>The daily backup is being made</source>
+        <translation>Die tägliche Sicherung wird gerade erstellt</translation>
+    </message>
+    <message>
+        <source>Cusp closes once it is made. If you leave it out, the next start makes it.</source>
+        <translation>Danach schließt sich Cusp. Wenn Sie sie auslassen, wird sie beim nächsten Start erstellt.</translation>
+    </message>
+    <message>
+        <source>Close without the backup</source>
+        <translation>Ohne Sicherung schließen</translation>
+    </message>
+    <message>
+        <source>Copying the records</source>
+        <translation>Der Datenbestand wird kopiert</translation>
+    </message>
+    <message>
+        <source>Copied %1</source>
+        <translation>%1 kopiert</translation>
+    </message>
+    <message>
+        <source>What you did is kept, but for the points that were typed: type them anew.</source>
+        <translation>Was Sie getan haben, bleibt erhalten, nur die eingegebenen Punkte nicht: Geben Sie sie neu ein.</translation>
+    </message>
+    <message>
+        <source>Close without the changed points?</source>
+        <translation>Ohne die geänderten Punkte schließen?</translation>
+    </message>
+    <message>
+        <source>Close before the work has ended?</source>
+        <translation>Schließen, bevor die Arbeit beendet ist?</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DeviationLegend</name>
@@ -4324,7 +4378,7 @@
     </message>
     <message>
         <source>%1, may be delayed</source>
-        <translation>%1, kann aufgehalten werden</translation>
+        <translation>%1, evtl. verzögert</translation>
     </message>
     <message>
         <source>Leave</source>
@@ -5613,6 +5667,14 @@
     <message>
         <source>Pull its power plug, wait five seconds, and put it in.</source>
         <translation>Ziehen Sie seinen Netzstecker, warten Sie fünf Sekunden und stecken Sie ihn wieder ein.</translation>
+    </message>
+    <message>
+        <source>The Falcon answers too late.</source>
+        <translation>Der Falcon antwortet zu spät.</translation>
+    </message>
+    <message>
+        <source>Plug it into another USB socket of this computer, without a hub, then try again.</source>
+        <translation>Stecken Sie ihn ohne Hub in eine andere USB-Buchse dieses Computers und versuchen Sie es dann noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -9873,7 +9935,7 @@
     </message>
     <message>
         <source>What is written under Marking is not kept yet.</source>
-        <translation>Was unter „Bewertung“ geschrieben steht, ist noch nicht aufbewahrt.</translation>
+        <translation>Was unter „Bewertung“ geschrieben steht, ist noch nicht gespeichert.</translation>
     </message>
     <message>
         <source>Leave without the comment?</source>
@@ -9938,6 +10000,10 @@
     <message>
         <source>It could not be read whether a result came before.</source>
         <translation>Ob es ein früheres Ergebnis gibt, konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Leave without the changed points?</source>
+        <translation>Die Seite ohne die geänderten Punkte verlassen?</translation>
     </message>
 </context>
 <context>
@@ -10944,7 +11010,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Each attempt becomes one point.</source>
-        <translation>Jeder Versuch wird ein Punkt.</translation>
+        <translation>Jeder Versuch wird als Punkt eingezeichnet.</translation>
     </message>
     <message numerus="yes">
         <source>Time earns no points. %1 only, %n attempt(s).</source>
@@ -11002,6 +11068,10 @@ Ihr bester davor</translation>
     <message>
         <source>The newest comment could not be read.</source>
         <translation>Der neueste Kommentar konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
     </message>
 </context>
 <context>
@@ -11177,6 +11247,10 @@ Ihr bester davor</translation>
     <message>
         <source>You stopped it; the other attempts were not verified.</source>
         <translation>Sie haben abgebrochen; die übrigen Versuche wurden nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>How much the records hold could not be read.</source>
+        <translation>Wie viel der Datenbestand enthält, ließ sich nicht lesen.</translation>
     </message>
 </context>
 <context>
@@ -14072,10 +14146,6 @@ Ihr bester davor</translation>
         </translation>
     </message>
     <message>
-        <source>This computer’s clock says %1. Before those of the last days, the newest attempt or account is of %2.</source>
-        <translation>Die Uhr dieses Computers zeigt den %1. Vor denen der letzten Tage ist der neueste Versuch oder das neueste Konto vom %2.</translation>
-    </message>
-    <message>
         <source>An earlier file of this name was interrupted.</source>
         <translation>Das Schreiben einer früheren Datei dieses Namens wurde unterbrochen.</translation>
     </message>
@@ -14106,6 +14176,54 @@ Ihr bester davor</translation>
     <message>
         <source>Another examiner marks and releases it. Nothing was changed.</source>
         <translation>Eine andere Lehrkraft bewertet ihn und gibt ihn frei. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The Inverse3 was not found.</source>
+        <translation>Das Inverse3 wurde nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>Its service answers, but it knows of no Inverse3. Check its cable and power, then try again.</source>
+        <translation>Sein Dienst antwortet, kennt aber kein Inverse3. Prüfen Sie Kabel und Strom und versuchen Sie es dann noch einmal.</translation>
+    </message>
+    <message>
+        <source>The service of the Inverse3 does not answer.</source>
+        <translation>Der Dienst des Inverse3 antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>Start the maker’s service on this computer, then try again.</source>
+        <translation>Starten Sie den Dienst des Herstellers auf diesem Computer und versuchen Sie es dann noch einmal.</translation>
+    </message>
+    <message>
+        <source>The Inverse3 did not start.</source>
+        <translation>Das Inverse3 ist nicht gestartet.</translation>
+    </message>
+    <message>
+        <source>Start the maker’s service anew, then try again. (%1)</source>
+        <translation>Starten Sie den Dienst des Herstellers neu und versuchen Sie es dann noch einmal. (%1)</translation>
+    </message>
+    <message>
+        <source>The station’s key is damaged: put its file back from a backup.</source>
+        <translation>Der Schlüssel der Station ist beschädigt: Legen Sie seine Datei aus einer Sicherung zurück.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; the records are as they were. Without a backup move it away: Cusp then makes a new key, which other stations have to trust anew.</source>
+        <translation>%1 ist nicht lesbar; die Aufzeichnungen sind, wie sie waren. Ohne Sicherung verschieben Sie die Datei: Cusp erzeugt dann einen neuen Schlüssel, dem andere Stationen neu vertrauen müssen.</translation>
+    </message>
+    <message>
+        <source>This computer’s clock says %1. Nothing was recorded from %2 to %3. If the clock is wrong now, or was before, attempts and accounts are younger than their dates.</source>
+        <translation>Die Uhr dieses Computers zeigt den %1. Vom %2 bis zum %3 wurde nichts aufgezeichnet. Wenn die Uhr jetzt falsch geht oder vorher falsch ging, sind Versuche und Konten jünger als ihr Datum.</translation>
+    </message>
+    <message>
+        <source>If one of these dates is wrong, cancel.</source>
+        <translation>Wenn eine dieser Datumsangaben falsch ist, brechen Sie ab.</translation>
+    </message>
+    <message>
+        <source>Lower the gingival floor until its margin stands clear of the neighbour.</source>
+        <translation>Den gingivalen Boden absenken, bis sein Rand frei vom Nachbarn steht.</translation>
+    </message>
+    <message>
+        <source>Keep the gingival floor higher: its margin lies far from the neighbour.</source>
+        <translation>Den gingivalen Boden höher lassen: Sein Rand liegt weit vom Nachbarn entfernt.</translation>
     </message>
 </context>
 <context>

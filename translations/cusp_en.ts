@@ -55,6 +55,13 @@
             <numerusform>%n of them failed by a critical event, though their points would pass: the gradebook sees the points alone.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n student(s) have no graded attempt: %1.</source>
+        <translation>
+            <numerusform>%n student has no graded attempt: %1.</numerusform>
+            <numerusform>%n students have no graded attempt: %1.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssignmentForm</name>
@@ -196,6 +203,13 @@
         <translation>
             <numerusform>%n of them failed by a critical event, though its points would pass: the gradebook sees the points alone.</numerusform>
             <numerusform>%n of them failed by a critical event, though their points would pass: the gradebook sees the points alone.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) have no graded attempt: %1.</source>
+        <translation>
+            <numerusform>%n student has no graded attempt: %1.</numerusform>
+            <numerusform>%n students have no graded attempt: %1.</numerusform>
         </translation>
     </message>
 </context>
