@@ -189,14 +189,29 @@ TEST(Sweeps, bytes_that_are_no_store_are_refused) {
 /// A block that the hand above has milled.
 class Milled : public testing::Test {
  protected:
-  Milled()
-      : volume(Specimen::build(from_distance(3.0, kPaperVoxelMm, [](Vec3 p) { return p.z - 0.9; }), Reading::banded)) {
-    volume.keep_sweeps();
-    for (std::int32_t id = 0; id < sweeps.size(); ++id) carve_run(volume, sweeps, {id, id});
+  Milled() : volume(carved(1)) {}
+  /// By so many sweeps at a time.
+  Volume carved(std::int32_t at_once) const {
+    Volume out(Specimen::build(from_distance(3.0, kPaperVoxelMm, [](Vec3 p) { return p.z - 0.9; }), Reading::banded));
+    out.keep_sweeps();
+    for (std::int32_t id = 0; id < sweeps.size(); id += at_once)
+      carve_run(out, sweeps, {id, std::min(id + at_once, sweeps.size()) - 1});
+    return out;
   }
   Sweeps sweeps = hand_sweeps();
   Volume volume;
 };
+
+TEST_F(Milled, is_the_same_of_sweeps_that_are_carved_together) {
+  for (const std::int32_t at_once : {2, 5, kMostAtOnce}) {
+    const Volume together = carved(at_once);
+    ASSERT_EQ(together.cut_bricks().size(), volume.cut_bricks().size());
+    int others = 0;
+    for (const std::int32_t brick : volume.cut_bricks())
+      for (int o = 0; o < kBrickVoxels; ++o) others += volume.cut_in(brick, o) != together.cut_in(brick, o);
+    EXPECT_EQ(others, 0) << at_once;
+  }
+}
 
 TEST_F(Milled, each_voxel_in_the_band_names_its_nearest_sweep) {
   int named = 0;
