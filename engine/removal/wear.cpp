@@ -72,9 +72,12 @@ struct Met {
     const Vec3 x = (at_mm - grid.origin_mm) * (1.0 / grid.voxel_mm) +
                    Vec3(eighth & 1 ? 0.75 : 0.25, eighth & 2 ? 0.75 : 0.25, eighth & 4 ? 0.75 : 0.25);
     const IVec3 v = cell_of_voxels(x);
+    const Specimen& specimen = volume.specimen();
+    const int brick = specimen.brick_index(v >> 3), offset = brick_offset(v.x & 7, v.y & 7, v.z & 7);
     // The front itself stands at s = 1/2: a quarter voxel of band either way counts as met.
-    if (volume.s(v) < 26000) return;
-    const double speed = scene.tissues[index_of(volume.tissue(v))].speed_mm_s;
+    constexpr std::uint16_t kMet = 26000;
+    if (brick < 0 || volume.cut_in(brick, offset) < kMet || specimen.s_in(brick, offset) < kMet) return;
+    const double speed = scene.tissues[index_of(specimen.tissue_in(brick, offset))].speed_mm_s;
     if (!(speed > 0.0)) {
       stops = true;
       return;
