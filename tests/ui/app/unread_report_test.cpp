@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <filesystem>
+#include <memory>
 
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
@@ -19,27 +20,31 @@ namespace {
 
 constexpr int kReportMs = 60'000;  // waits for progress, never decides
 
-TEST(UnreadReport, NamesWhyTheRecordsDoNotOpenAndDeniesNoAttempt) {
+/// A student who has signed in, and an attempt of hers.
+struct UnreadReport : testing::Test {
+  UnreadReport() {
+    result->session = records.attempt(lena, "channel-1", 66, 90);
+    result->scenario = *load_builtin("channel-1");
+    result->grade = (*records.store().grades.newest(result->session))->grade;
+    desktop.start();
+    desktop.show();
+    desktop.sign_in(lena);
+  }
   DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt");
-  auto result = std::make_shared<SessionResult>();
-  result->session = records.attempt(lena, "channel-1", 66, 90);
-  result->scenario = *load_builtin("channel-1");
-  result->grade = (*records.store().grades.newest(result->session))->grade;
+  std::shared_ptr<SessionResult> result = std::make_shared<SessionResult>();
   const QTemporaryDir folder;
   Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
-  Ports ports = Ports::of_the_system();
-  Desktop desktop(settings, ports, records.file());
-  desktop.start();
-  desktop.show();
-  desktop.sign_in(lena);
+  Desktop desktop{settings, Ports::of_the_system(), records.file()};
+};
 
+TEST_F(UnreadReport, NamesWhyTheRecordsDoNotOpenAndDeniesNoAttempt) {
   const std::filesystem::path file = records.file();
   const std::filesystem::path aside = file.string() + ".aside";
   std::filesystem::rename(file, aside);
   std::filesystem::create_directory(file);
   desktop.end_attempt(result, std::nullopt);
-  const auto report = [&] { return desktop.findChild<ReportPage*>(); };
+  const auto report = [this] { return desktop.findChild<ReportPage*>(); };
   EXPECT_TRUE(QTest::qWaitFor([&] { return report() != nullptr; }, kReportMs));
   std::filesystem::remove(file);
   std::filesystem::rename(aside, file);
@@ -48,21 +53,9 @@ TEST(UnreadReport, NamesWhyTheRecordsDoNotOpenAndDeniesNoAttempt) {
   EXPECT_FALSE(occasion_text(report()->data(), Medium::screen).contains(QStringLiteral("Nothing of this attempt is kept")));
 }
 
-TEST(UnreadReport, IsNotTakenForOneThatIsHandedInAndWithheld) {
-  DeskRecords records;
-  const Account lena = records.student("1", "Lena Brandt");
-  auto result = std::make_shared<SessionResult>();
-  result->session = records.attempt(lena, "channel-1", 66, 90);
-  result->scenario = *load_builtin("channel-1");
-  result->grade = (*records.store().grades.newest(result->session))->grade;
-  const QTemporaryDir folder;
-  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
-  Desktop desktop(settings, Ports::of_the_system(), records.file());
-  desktop.start();
-  desktop.show();
-  desktop.sign_in(lena);
+TEST_F(UnreadReport, IsNotTakenForOneThatIsHandedInAndWithheld) {
   ASSERT_TRUE(records.store().database().run("ALTER TABLE session_summaries RENAME TO lost_summaries"));
-  const auto shows_why = [&desktop] {
+  const auto shows_why = [this] {
     const QWidget* page = desktop.page();
     return page != desktop.shell() && qobject_cast<const HandedIn*>(page) == nullptr && page->findChild<EmptyState*>() != nullptr;
   };
