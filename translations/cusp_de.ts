@@ -216,20 +216,6 @@
         <source>For Canvas</source>
         <translation>Für Canvas</translation>
     </message>
-    <message numerus="yes">
-        <source>%n result(s) exported.</source>
-        <translation>
-            <numerusform>%n Ergebnis exportiert.</numerusform>
-            <numerusform>%n Ergebnisse exportiert.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n wait(s) for release.</source>
-        <translation>
-            <numerusform>%n wartet auf die Freigabe.</numerusform>
-            <numerusform>%n warten auf die Freigabe.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Save for the gradebook</source>
         <translation>Für das Notenbuch speichern</translation>
@@ -281,20 +267,6 @@
     <message>
         <source>It is shown as it is now. What you set here was not kept.</source>
         <translation>Er wird gezeigt, wie er jetzt ist. Was Sie hier eingestellt haben, wurde nicht gespeichert.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</source>
-        <translation>
-            <numerusform>%n davon ist trotz ausreichender Punkte wegen eines kritischen Ereignisses nicht bestanden: Das Notenbuch sieht nur die Punkte.</numerusform>
-            <numerusform>%n davon sind trotz ausreichender Punkte wegen eines kritischen Ereignisses nicht bestanden: Das Notenbuch sieht nur die Punkte.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n student(s) have no graded attempt: %1.</source>
-        <translation>
-            <numerusform>%n Person hat keinen bewerteten Versuch: %1.</numerusform>
-            <numerusform>%n Studierende haben keinen bewerteten Versuch: %1.</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -3031,20 +3003,6 @@
             <numerusform>%n Versuche exportiert.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n result(s) exported.</source>
-        <translation>
-            <numerusform>%n Ergebnis exportiert.</numerusform>
-            <numerusform>%n Ergebnisse exportiert.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n result(s) wait for release.</source>
-        <translation>
-            <numerusform>%n Ergebnis wartet auf die Freigabe.</numerusform>
-            <numerusform>%n Ergebnisse warten auf die Freigabe.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>A gradebook reads CSV alone: --gradebook goes without --json.</source>
         <translation>Ein Notenbuch liest nur CSV: --gradebook und --json gehen nicht zusammen.</translation>
@@ -3284,13 +3242,6 @@
         <source>An earlier restore to %1 was interrupted. It is now finished; this backup was not restored.</source>
         <translation>Eine frühere Wiederherstellung nach %1 wurde unterbrochen. Sie ist jetzt abgeschlossen; diese Sicherung wurde nicht wiederhergestellt.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</source>
-        <translation>
-            <numerusform>%n davon ist trotz ausreichender Punkte wegen eines kritischen Ereignisses nicht bestanden: Das Notenbuch sieht nur die Punkte.</numerusform>
-            <numerusform>%n davon sind trotz ausreichender Punkte wegen eines kritischen Ereignisses nicht bestanden: Das Notenbuch sieht nur die Punkte.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 has no effect: --list makes nothing.</source>
         <translation>%1 bewirkt nichts: --list erzeugt nichts.</translation>
@@ -3354,13 +3305,6 @@
     <message>
         <source>Attempts verified and whole: %1. The others were not verified.</source>
         <translation>Geprüft und unversehrt: %1 (Versuche). Die übrigen wurden nicht geprüft.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n student(s) have no graded attempt: %1.</source>
-        <translation>
-            <numerusform>%n Person hat keinen bewerteten Versuch: %1.</numerusform>
-            <numerusform>%n Studierende haben keinen bewerteten Versuch: %1.</numerusform>
-        </translation>
     </message>
     <message>
         <source>The dates are right, although for more than half a year nothing was recorded</source>
@@ -14224,6 +14168,34 @@ Ihr bester davor</translation>
     <message>
         <source>Keep the gingival floor higher: its margin lies far from the neighbour.</source>
         <translation>Den gingivalen Boden höher lassen: Sein Rand liegt weit vom Nachbarn entfernt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) exported.</source>
+        <translation>
+            <numerusform>%n Ergebnis exportiert.</numerusform>
+            <numerusform>%n Ergebnisse exportiert.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</source>
+        <translation>
+            <numerusform>%n davon ist trotz ausreichender Punkte wegen eines kritischen Ereignisses nicht bestanden: Das Notenbuch sieht nur die Punkte.</numerusform>
+            <numerusform>%n davon sind trotz ausreichender Punkte wegen eines kritischen Ereignisses nicht bestanden: Das Notenbuch sieht nur die Punkte.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) wait for release.</source>
+        <translation>
+            <numerusform>%n Ergebnis wartet auf die Freigabe.</numerusform>
+            <numerusform>%n Ergebnisse warten auf die Freigabe.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) have no graded attempt: %1.</source>
+        <translation>
+            <numerusform>%n Person hat keinen bewerteten Versuch: %1.</numerusform>
+            <numerusform>%n Studierende haben keinen bewerteten Versuch: %1.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -34,34 +34,6 @@
             <numerusform>%n failed results wait for confirmation.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n result(s) exported.</source>
-        <translation>
-            <numerusform>%n result exported.</numerusform>
-            <numerusform>%n results exported.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n wait(s) for release.</source>
-        <translation>
-            <numerusform>%n waits for release.</numerusform>
-            <numerusform>%n wait for release.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</source>
-        <translation>
-            <numerusform>%n of them failed by a critical event, though its points would pass: the gradebook sees the points alone.</numerusform>
-            <numerusform>%n of them failed by a critical event, though their points would pass: the gradebook sees the points alone.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n student(s) have no graded attempt: %1.</source>
-        <translation>
-            <numerusform>%n student has no graded attempt: %1.</numerusform>
-            <numerusform>%n students have no graded attempt: %1.</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>cusp::ui::AssignmentForm</name>
@@ -177,39 +149,11 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n result(s) exported.</source>
-        <translation>
-            <numerusform>%n result exported.</numerusform>
-            <numerusform>%n results exported.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n result(s) wait for release.</source>
-        <translation>
-            <numerusform>%n result waits for release.</numerusform>
-            <numerusform>%n results wait for release.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1: %2 instead of %3 point(s), changed by %4: %5</source>
         <extracomment>%1: a criterion, %2: points that count, %3: measured points, %4: an examiner, %5: the reason.</extracomment>
         <translation>
             <numerusform>%1: %2 instead of %3 point, changed by %4: %5</numerusform>
             <numerusform>%1: %2 instead of %3 points, changed by %4: %5</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</source>
-        <translation>
-            <numerusform>%n of them failed by a critical event, though its points would pass: the gradebook sees the points alone.</numerusform>
-            <numerusform>%n of them failed by a critical event, though their points would pass: the gradebook sees the points alone.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n student(s) have no graded attempt: %1.</source>
-        <translation>
-            <numerusform>%n student has no graded attempt: %1.</numerusform>
-            <numerusform>%n students have no graded attempt: %1.</numerusform>
         </translation>
     </message>
 </context>
@@ -775,6 +719,34 @@
         <translation>
             <numerusform>%n attempt went on from an old copy at the station, and stays here as it was.</numerusform>
             <numerusform>%n attempts went on from an old copy at the station, and stay here as they were.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) exported.</source>
+        <translation>
+            <numerusform>%n result exported.</numerusform>
+            <numerusform>%n results exported.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.</source>
+        <translation>
+            <numerusform>%n of them failed by a critical event, though its points would pass: the gradebook sees the points alone.</numerusform>
+            <numerusform>%n of them failed by a critical event, though their points would pass: the gradebook sees the points alone.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) wait for release.</source>
+        <translation>
+            <numerusform>%n result waits for release.</numerusform>
+            <numerusform>%n results wait for release.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) have no graded attempt: %1.</source>
+        <translation>
+            <numerusform>%n student has no graded attempt: %1.</numerusform>
+            <numerusform>%n students have no graded attempt: %1.</numerusform>
         </translation>
     </message>
 </context>

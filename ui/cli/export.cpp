@@ -2,7 +2,6 @@
 
 #include "storage/export/csv.h"
 
-#include <QStringList>
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -19,6 +18,7 @@
 #include "ui/cli/text.h"
 #include "ui/cli/verb.h"
 #include "ui/modules.h"
+#include "ui/text/gradebook_text.h"
 #include "ui/text/language.h"
 
 namespace cusp::ui {
@@ -170,16 +170,7 @@ int export_for_gradebook(Store& store, const Actor& actor, const ExportOptions& 
   if (const auto logged = log_gradebook(store.context(), actor, made->assignment, file); !logged) return failed(describe(logged.error()));
   if (!csv.finish()) return kFailed;
   if (o.csv_on_stdout()) return kDone;
-  print_line(plain(CliText::tr("%n result(s) exported.", nullptr, static_cast<int>(file.students))));
-  if (file.failed > 0)
-    print_line(plain(CliText::tr("%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.",
-                                 nullptr, static_cast<int>(file.failed))));
-  if (file.withheld > 0) print_line(plain(CliText::tr("%n result(s) wait for release.", nullptr, static_cast<int>(file.withheld))));
-  if (!file.ungraded.empty()) {
-    QStringList numbers;
-    for (const std::string& number : file.ungraded) numbers.append(QString::fromStdString(number));
-    print_line(plain(CliText::tr("%n student(s) have no graded attempt: %1.", nullptr, static_cast<int>(file.ungraded.size())).arg(numbers.join(QStringLiteral(", ")))));
-  }
+  for (const QString& sentence : gradebook_text(file)) print_line(plain(sentence));
   return kDone;
 }
 

@@ -12,6 +12,7 @@
 
 #include "ui/student/course.h"
 #include "ui/text/failure_text.h"
+#include "ui/text/gradebook_text.h"
 #include "ui/text/language.h"
 #include "ui/text/names.h"
 #include "ui/widgets/bar_top.h"
@@ -195,22 +196,12 @@ void AssessmentPage::export_gradebook(Gradebook system) {
       show_failure(file.error());
       return std::nullopt;
     }
-    QString done = tr("%n result(s) exported.", nullptr, static_cast<int>(file->students));
-    if (file->failed > 0)
-      done += u' ' + tr("%n of them failed by a critical event with enough points to pass: the gradebook sees the points alone.", nullptr,
-                        static_cast<int>(file->failed));
-    if (file->withheld > 0) done += u' ' + tr("%n wait(s) for release.", nullptr, static_cast<int>(file->withheld));
-    if (!file->ungraded.empty()) {
-      QStringList numbers;
-      for (const std::string& number : file->ungraded) numbers.append(QString::fromStdString(number));
-      done += u' ' + tr("%n student(s) have no graded attempt: %1.", nullptr, static_cast<int>(file->ungraded.size())).arg(numbers.join(u", "_qs));
-    }
     const auto log = [this, file = *file] {
       const auto logged = log_gradebook(store_.context(), actor_, assignment_.id, file);
       if (!logged) show_failure(logged.error());
       return logged.has_value();
     };
-    return CsvText{file->text, done, log};
+    return CsvText{file->text, gradebook_text(*file).join(u' '), log};
   };
   save_csv(*band_, ports_, {tr("Save for the gradebook"), (system == Gradebook::moodle ? u"moodle-"_qs : u"canvas-"_qs) + ports_.now().toString(u"yyyy-MM-dd"_qs), make});
 }

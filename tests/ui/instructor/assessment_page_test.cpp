@@ -259,7 +259,7 @@ TEST_F(Candidates, GoToAGradebookWithTheirReleasedResults) {
   page.release_all();
   page.export_gradebook(Gradebook::canvas);
   EXPECT_TRUE(page.message().contains(QStringLiteral("1 result"))) << page.message().toStdString();
-  EXPECT_TRUE(page.message().contains(QStringLiteral("1 wait"))) << page.message().toStdString();
+  EXPECT_TRUE(page.message().contains(QStringLiteral("1 result waits for release"))) << page.message().toStdString();
   QFile file(path);
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   EXPECT_TRUE(file.readAll().startsWith("Student,ID,SIS User ID"));
