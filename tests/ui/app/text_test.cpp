@@ -335,7 +335,6 @@ TEST(Sentences, advice_leads_the_way_that_the_measure_is_off) {
   }
   EXPECT_FALSE(advice("remaining_over_pulp", "too_much").contains(QStringLiteral("Keep away")));
   EXPECT_TRUE(advice("contact_broken", "too_little").startsWith(QStringLiteral("Open the box")));
-  // A wider box leaves the gingival margin at its height, and with it the clearance there.
   EXPECT_TRUE(advice("clearance_gingival", "too_little").startsWith(QStringLiteral("Lower the gingival floor")));
   EXPECT_TRUE(advice("clearance_gingival", "too_much").startsWith(QStringLiteral("Keep the gingival floor higher")));
   for (const char* metric : {"force_peak", "force_mean"}) EXPECT_TRUE(advice(metric, "too_little").isEmpty()) << metric;
