@@ -81,8 +81,9 @@ CellsNear CellsNear::cylinders(const TwoCylinders& shape) noexcept {
   if (shape.axis.z < kUpright && shape.axis.z > -kUpright) return all();
   CellsNear out{};
   const float narrow = std::sqrt(shape.narrow2), wide = std::sqrt(shape.wide2);
-  add_cylinder(shape, shape.from, shape.to, narrow, out);
-  add_cylinder(shape, shape.wide_from > shape.from ? shape.wide_from : shape.from, shape.to, wide, out);
+  const bool wide_all_along = shape.wide_from <= shape.from;
+  if (!wide_all_along) add_cylinder(shape, shape.from, shape.to, narrow, out);
+  add_cylinder(shape, wide_all_along ? shape.from : shape.wide_from, shape.to, wide, out);
   return out;
 }
 
