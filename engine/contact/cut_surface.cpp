@@ -171,14 +171,16 @@ int CutSurface::prepare(const Volume& volume, int brick, const CellsNear& cells,
 /// The samples of a brick's cells and so many below and above, of it and its neighbours: source(brick) gives 512 values, or
 /// nullptr and what stands for all of them.
 template <int kBelow, int kAbove, class Source>
-void CutSurface::decode(const Specimen& specimen, IVec3 brick, Slices cells, double* samples, Source&& source) noexcept {
+void CutSurface::decode(const Specimen& specimen, IVec3 brick, Rows cells, double* samples, Source&& source) noexcept {
   constexpr int kRow = kBelow + kBrickEdge + kAbove, kFirst = kBrickEdge - kBelow;
   for (int nz = -1; nz <= 1; ++nz)
     for (int ny = -1; ny <= 1; ++ny)
       for (int nx = -1; nx <= 1; ++nx) {
         const auto [values, uniform] = source(specimen.brick_index(brick + IVec3(nx, ny, nz)));
-        const IVec3 from(nx < 0 ? kFirst : 0, ny < 0 ? kFirst : 0, std::max(nz < 0 ? kFirst : 0, cells.first - kBelow - nz * 8));
-        const IVec3 to(nx > 0 ? kAbove - 1 : 7, ny > 0 ? kAbove - 1 : 7, std::min(nz > 0 ? kAbove - 1 : 7, cells.last + kAbove - nz * 8));
+        const IVec3 from(nx < 0 ? kFirst : 0, std::max(ny < 0 ? kFirst : 0, cells.first_y - kBelow - ny * 8),
+                         std::max(nz < 0 ? kFirst : 0, cells.first_z - kBelow - nz * 8));
+        const IVec3 to(nx > 0 ? kAbove - 1 : 7, std::min(ny > 0 ? kAbove - 1 : 7, cells.last_y + kAbove - ny * 8),
+                       std::min(nz > 0 ? kAbove - 1 : 7, cells.last_z + kAbove - nz * 8));
         for (int z = from.z; z <= to.z; ++z)
           for (int y = from.y; y <= to.y; ++y) {
             double* row = &samples[(nx * 8 + from.x + kBelow) + kRow * ((ny * 8 + y + kBelow) + kRow * (nz * 8 + z + kBelow))];
@@ -210,13 +212,16 @@ void CutSurface::decode_wide(const Volume& volume, IVec3 brick) noexcept {
 
 void CutSurface::refresh(const Volume& volume, int brick, const CellsNear& cells) noexcept {
   Slot& slot = slots_[static_cast<std::size_t>(volume.cut_slot(brick))];
-  asked_ = {kBrickEdge, -1};
+  asked_ = {kBrickEdge, -1, kBrickEdge, -1};
   for (int z = 0; z < kBrickEdge; ++z) {
-    if ((slot.stale[z] & cells.slice[z]) == 0) continue;
-    asked_.first = std::min(asked_.first, z);
-    asked_.last = z;
+    const std::uint64_t asked = slot.stale[z] & cells.slice[z];
+    if (asked == 0) continue;
+    asked_.first_y = std::min(asked_.first_y, std::countr_zero(asked) >> 3);
+    asked_.last_y = std::max(asked_.last_y, (63 - std::countl_zero(asked)) >> 3);
+    asked_.first_z = std::min(asked_.first_z, z);
+    asked_.last_z = z;
   }
-  if (asked_.last < 0) return;
+  if (asked_.last_z < 0) return;
   const IVec3 at = volume.specimen().brick_at(brick);
   const IVec3 corner = at * kBrickEdge;
   const std::uint16_t* values = volume.cut_of(brick);
@@ -229,7 +234,7 @@ void CutSurface::refresh(const Volume& volume, int brick, const CellsNear& cells
   const Parts resolved_parts = slots_resolved_[static_cast<std::size_t>(volume.cut_slot(brick))];
   const BasePoints points = volume.specimen().surface().in(brick);
   int next_point = 0;
-  for (int z = asked_.first; z <= asked_.last; ++z) {
+  for (int z = asked_.first_z; z <= asked_.last_z; ++z) {
     const std::uint64_t resolved_cells = cells_of(resolved_parts, z);
     for (std::uint64_t left = slot.stale[z] & cells.slice[z]; left != 0; left &= left - 1) {
       const int o = z << 6 | std::countr_zero(left);

@@ -147,14 +147,14 @@ class CutSurface {
   void count_unresolved() noexcept;
   void mark_swept(const Volume& volume, IVec3 corner) noexcept;
   void put(Slot& slot) noexcept;
-  /// Slices of a brick's cells, inclusive.
-  struct Slices {
-    int first = 0, last = kBrickEdge - 1;
+  /// Rows of a brick's cells, inclusive: along y and z.
+  struct Rows {
+    int first_y = 0, last_y = kBrickEdge - 1, first_z = 0, last_z = kBrickEdge - 1;
   };
   void decode_cut(const Volume& volume, IVec3 brick) noexcept;
   void decode_base(const Specimen& specimen, IVec3 brick) noexcept;
   template <int kBelow, int kAbove, class Source>
-  static void decode(const Specimen& specimen, IVec3 brick, Slices cells, double* samples, Source&& source) noexcept;
+  static void decode(const Specimen& specimen, IVec3 brick, Rows cells, double* samples, Source&& source) noexcept;
   void decode_wide(const Volume& volume, IVec3 brick) noexcept;
   enum class Part : std::uint8_t { unresolved, resolved };
   /// Adds the features of a cell of the cut. True if the cell is creased; an unresolved cell never is.
@@ -182,7 +182,7 @@ class CutSurface {
   std::uint64_t cells_resolved_ = 0, cells_made_ = 0, revision_ = 0;
   std::size_t made_count_ = 0;
   std::size_t kept_pages_ = 0;
-  Slices asked_;             // of the brick being refreshed
+  Rows asked_;               // of the brick being refreshed
   double samples_[kSide * kSide * kSide], base_[kSide * kSide * kSide];
   double wide_[kWide * kWide * kWide];
 };
