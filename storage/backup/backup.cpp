@@ -22,6 +22,7 @@ using nlohmann::json;
 constexpr const char* kBackupDatabase = "station.db";
 constexpr const char* kBackupKey = "station.db.key";
 constexpr int kBackupFormat = 1;
+constexpr const char *kDaily = "daily", *kManual = "manual";  // "kind" of a description
 
 /// "cusp-2026-11-20T09-14-03Z": no file system refuses it, and names sort by time.
 std::string name_at(const std::string& what, std::int64_t utc_us) {
@@ -107,7 +108,7 @@ Stored<std::uint64_t> check_copy(const fs::path& file, const DatabaseOptions& op
 }
 
 /// The counter first: it may lag behind the log and never leads.
-Stored<Backup> fill(StorageContext& context, const fs::path& folder, std::int64_t now, WorkSteps& steps) {
+Stored<Backup> fill(StorageContext& context, const fs::path& folder, BackupKind kind, std::int64_t now, WorkSteps& steps) {
   if (auto done = copy_private(context.counter_file, counter_file_of(folder / kBackupKey)); !done) return std::unexpected(done.error());
   if (auto done = copy_private(context.key_file, folder / kBackupKey); !done) return std::unexpected(done.error());
   if (auto done = copy_by_pages(context.db, folder / kBackupDatabase, steps); !done) return std::unexpected(done.error());
@@ -119,8 +120,9 @@ Stored<Backup> fill(StorageContext& context, const fs::path& folder, std::int64_
   std::error_code error;
   const auto bytes = fs::file_size(folder / kBackupDatabase, error);
   if (error) return std::unexpected(failure_from(error, folder));
-  const Backup backup{folder, context.station, now, *sessions, bytes};
-  const json description = {{"cusp_backup", kBackupFormat}, {"station", backup.station.text()}, {"made_at", now}, {"sessions", backup.sessions}, {"bytes", backup.bytes}};
+  const Backup backup{folder, context.station, now, *sessions, bytes, kind};
+  const json description = {{"cusp_backup", kBackupFormat}, {"station", backup.station.text()}, {"made_at", now},
+                            {"sessions", backup.sessions}, {"bytes", backup.bytes}, {"kind", kind == BackupKind::daily ? kDaily : kManual}};
   if (auto done = write_private_file(folder / kBackupDescription, description.dump()); !done) return std::unexpected(done.error());
   return backup;
 }
@@ -180,7 +182,7 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
     return std::unexpected(folder.error());
   }
   WorkSteps steps(watch);
-  auto backup = fill(context, *folder, now, steps);
+  auto backup = fill(context, *folder, actor ? BackupKind::manual : BackupKind::daily, now, steps);
   if (!backup) {
     take_back_all();
     if (steps.stopped()) return fail(StorageError::stopped, into.string());
@@ -218,8 +220,10 @@ Stored<Backup> read_backup(const fs::path& folder) {
       number("bytes") < 0) {
     return fail(StorageError::not_found, folder.string());
   }
+  const auto kind = description.find("kind");
+  const bool manual = kind != description.end() && *kind == kManual;
   return Backup{folder, *station, number("made_at"), static_cast<std::uint64_t>(number("sessions")),
-                static_cast<std::uint64_t>(number("bytes"))};
+                static_cast<std::uint64_t>(number("bytes")), manual ? BackupKind::manual : BackupKind::daily};
 }
 
 Stored<std::vector<Backup>> backups_in(const fs::path& into, const std::optional<Uuid>& station) {
@@ -249,7 +253,7 @@ bool is_abandoned(const fs::path& folder) {
 
 }  // namespace
 
-Stored<void> thin_backups(const fs::path& into, const Uuid& station, std::size_t keep, std::int64_t now_utc_us) {
+Stored<void> thin_backups(const fs::path& into, const Uuid& station, BackupKind kind, std::size_t keep, std::int64_t now_utc_us) {
   std::vector<fs::path> abandoned;
   std::error_code ignored;
   for (fs::directory_iterator it(into, ignored), end; !ignored && it != end; it.increment(ignored))
@@ -257,7 +261,7 @@ Stored<void> thin_backups(const fs::path& into, const Uuid& station, std::size_t
   auto all = backups_in(into, station);
   if (!all) return std::unexpected(all.error());
   // Removing would begin with the description behind the link.
-  std::erase_if(*all, [&](const Backup& one) { return fs::is_symlink(one.folder, ignored); });
+  std::erase_if(*all, [&](const Backup& one) { return one.kind != kind || fs::is_symlink(one.folder, ignored); });
   std::ranges::stable_partition(*all, [&](const Backup& one) { return one.made_utc_us <= now_utc_us; });
   std::vector<fs::path> going = std::move(abandoned);
   for (std::size_t i = keep; i < all->size(); ++i) going.push_back((*all)[i].folder);

@@ -18,12 +18,19 @@ namespace cusp::storage {
 /// Written last: a folder without it is no backup.
 inline constexpr const char* kBackupDescription = "backup.json";
 
+/// Each kind has a rotation of its own.
+enum class BackupKind : std::uint8_t {
+  daily,   // the program made it by itself; a description that names no kind is older, and counts as one
+  manual,  // somebody with the right asked for it
+};
+
 struct Backup {
   std::filesystem::path folder{};
   Uuid station{};
   std::int64_t made_utc_us = 0;
   std::uint64_t sessions = 0;
   std::uint64_t bytes = 0;  // of the database
+  BackupKind kind = BackupKind::manual;
 };
 
 /// A new folder in `into`, which is made at need. Needs manage_station, at the end as the records have it then; without an actor the
@@ -38,10 +45,10 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
 Stored<std::vector<Backup>> backups_in(const std::filesystem::path& into, const std::optional<Uuid>& station);
 /// not_found unless the folder holds a whole backup.
 Stored<Backup> read_backup(const std::filesystem::path& folder);
-/// Removes all of this station but the newest `keep` ones, and what a backup that was cut off left more than a day ago: it holds a
-/// secret key. Those that a wrong clock dated after `now_utc_us` count as the oldest; what a link leads to stays, and does not count. One
+/// Removes all of this station and kind but the newest `keep` ones, and what a backup that was cut off left more than a day ago: it holds
+/// a secret key. Those that a wrong clock dated after `now_utc_us` count as the oldest; what a link leads to stays, and does not count. One
 /// that cannot be removed stops no other, and what is left of it is no backup; the failure names the first.
-Stored<void> thin_backups(const std::filesystem::path& into, const Uuid& station, std::size_t keep, std::int64_t now_utc_us);
+Stored<void> thin_backups(const std::filesystem::path& into, const Uuid& station, BackupKind kind, std::size_t keep, std::int64_t now_utc_us);
 
 /// Work on the new database and what lies beside it, before they get their names. It closes what it opens.
 using FinishRestored = std::function<Stored<void>(const std::filesystem::path& database)>;

@@ -48,10 +48,10 @@ TEST_F(BackupLeftTest, that_was_cut_off_goes_a_day_later_for_it_holds_a_key) {
   fs::create_directories(of_others);
   std::ofstream(of_others / "read me.txt") << "kept";
   fs::remove(cut_off.folder / "backup.json");
-  must(thin_backups(into(), station(), 1, *now));
+  must(thin_backups(into(), station(), BackupKind::manual, 1, *now));
   EXPECT_TRUE(fs::exists(cut_off.folder)) << "somebody may be writing it";
   for (const fs::path& one : {cut_off.folder, of_others}) age(one);
-  must(thin_backups(into(), station(), 1, *now));
+  must(thin_backups(into(), station(), BackupKind::manual, 1, *now));
   EXPECT_FALSE(fs::exists(cut_off.folder));
   EXPECT_TRUE(fs::exists(of_others));
 }
@@ -80,7 +80,7 @@ TEST_F(BackupLeftTest, that_was_cut_off_while_it_was_described_goes_a_day_later)
   const Backup cut_off = make();
   fs::rename(cut_off.folder / "backup.json", cut_off.folder / "backup.json.a1B2c3");
   age(cut_off.folder);
-  must(thin_backups(into(), station(), 1, *now));
+  must(thin_backups(into(), station(), BackupKind::manual, 1, *now));
   EXPECT_FALSE(fs::exists(cut_off.folder));
 }
 
@@ -93,7 +93,7 @@ TEST_F(BackupLeftTest, that_was_removed_in_part_is_none_and_goes_a_day_later) {
   Stored<void> thinned;
   std::thread([&, own = station()] {
     refused = refuse_calls({{SYS_unlinkat, EPERM}});
-    if (refused) thinned = thin_backups(into(), own, 1, *now);
+    if (refused) thinned = thin_backups(into(), own, BackupKind::manual, 1, *now);
   }).join();
   if (!refused) GTEST_SKIP() << "the kernel admits no filter of system calls";
   ASSERT_EQ(code_of(thinned), StorageError::read_only);
@@ -101,7 +101,7 @@ TEST_F(BackupLeftTest, that_was_removed_in_part_is_none_and_goes_a_day_later) {
   EXPECT_EQ(code_of(read_backup(old.folder)), StorageError::not_found);
   EXPECT_EQ(must(backups_in(into(), station())).size(), 1u);
   age(old.folder);
-  must(thin_backups(into(), station(), 1, *now));
+  must(thin_backups(into(), station(), BackupKind::manual, 1, *now));
   EXPECT_FALSE(fs::exists(old.folder));
   EXPECT_TRUE(fs::exists(newest.folder));
 }

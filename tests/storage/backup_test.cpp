@@ -121,7 +121,7 @@ TEST_F(BackupTest, of_one_second_have_folders_of_their_own_and_the_oldest_go_fir
   const Backup newest = make();
   ASSERT_EQ(must(backups_in(into(), station())).size(), 3u);
   EXPECT_EQ(must(backups_in(into(), station())).front().folder, newest.folder);
-  must(thin_backups(into(), station(), 1, *now));
+  must(thin_backups(into(), station(), BackupKind::manual, 1, *now));
   ASSERT_EQ(must(backups_in(into(), station())).size(), 1u);
   EXPECT_EQ(must(backups_in(into(), station())).front().folder, newest.folder);
   EXPECT_TRUE(must(backups_in(folder / "nowhere", station())).empty());
@@ -132,7 +132,7 @@ TEST_F(BackupTest, that_a_wrong_clock_dated_in_the_future_goes_before_what_is_ma
   make();
   *now -= 400 * std::int64_t{86'400'000'000};
   const Backup fresh = make();
-  must(thin_backups(into(), station(), 1, *now));
+  must(thin_backups(into(), station(), BackupKind::manual, 1, *now));
   const auto left = must(backups_in(into(), station()));
   ASSERT_EQ(left.size(), 1u);
   EXPECT_EQ(left.front().folder, fresh.folder);
@@ -142,7 +142,7 @@ TEST_F(BackupTest, of_another_station_in_the_same_folder_are_neither_listed_nor_
   const Backup own = make();
   const auto other = open(folder / "b.db", quick(now));
   const Backup foreign = must(make_backup(other->context(), make_administrator(*other).actor(), into()));
-  must(thin_backups(into(), station(), 0, *now));
+  must(thin_backups(into(), station(), BackupKind::manual, 0, *now));
   EXPECT_FALSE(fs::exists(own.folder));
   EXPECT_EQ(must(read_backup(foreign.folder)).station, other->context().station);
   EXPECT_TRUE(must(backups_in(into(), station())).empty());

@@ -17,7 +17,7 @@ Stored<BackedUp> back_up_and_thin(const RecordsBeside& records, const std::files
   auto backup = make_backup((*store)->context(), actor, into, watch);
   if (!backup) return std::unexpected(backup.error());
   BackedUp out{std::move(*backup), std::nullopt};
-  if (auto thinned = thin_backups(into, out.backup.station, kBackupsKept, out.backup.made_utc_us); !thinned) out.not_removed = std::move(thinned.error());
+  if (auto thinned = thin_backups(into, out.backup.station, out.backup.kind, kBackupsKept, out.backup.made_utc_us); !thinned) out.not_removed = std::move(thinned.error());
   return out;
 }
 
@@ -71,7 +71,7 @@ bool backup_is_due(const std::filesystem::path& into, const Uuid& station, std::
   const auto all = backups_in(into, station);
   if (!all) return true;
   // One that a wrong clock dated in the future says nothing of today.
-  const auto newest = std::ranges::find_if(*all, [&](const Backup& one) { return one.made_utc_us <= now_utc_us; });
+  const auto newest = std::ranges::find_if(*all, [&](const Backup& one) { return one.kind == BackupKind::daily && one.made_utc_us <= now_utc_us; });
   return newest == all->end() || now_utc_us - newest->made_utc_us >= kBackupEveryUs;
 }
 

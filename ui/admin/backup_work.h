@@ -17,14 +17,14 @@
 
 namespace cusp::ui {
 
-inline constexpr std::size_t kBackupsKept = 14;
+inline constexpr std::size_t kBackupsKept = 14;  // of each kind
 inline constexpr std::int64_t kBackupEveryUs = 86'400'000'000;  // a day
 
 struct BackedUp {
   Backup backup;
   std::optional<StorageFailure> not_removed;  // an old backup: where = its folder, detail = the system's reason
 };
-/// Makes a backup in `into` and removes the oldest beyond kBackupsKept. `then` is called on the task's thread.
+/// Makes a backup in `into` and removes the oldest of its kind beyond kBackupsKept. `then` is called on the task's thread.
 /// Without an actor it is the program's own daily one; without progress nothing stops it.
 BackgroundTask back_up(RecordsBeside records, std::filesystem::path into, std::optional<Actor> actor,
                        std::function<void(Stored<BackedUp>)> then, std::shared_ptr<WorkProgress> progress = {});
@@ -48,7 +48,7 @@ struct LogProgress {
 BackgroundTask verify_log(RecordsBeside records, const Actor& actor, std::shared_ptr<LogProgress> progress,
                           std::function<void(Stored<Verification>)> then);
 
-/// Whether the station's newest backup in the folder is older than a day, or none is there. One from after `now_utc_us` does not count.
+/// Whether the station's newest daily backup in the folder is older than a day, or none is there. One from after `now_utc_us` does not count.
 bool backup_is_due(const std::filesystem::path& into, const Uuid& station, std::int64_t now_utc_us);
 
 }  // namespace cusp::ui

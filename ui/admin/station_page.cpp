@@ -142,7 +142,7 @@ QWidget* StationPage::make_backups() {
 
 void StationPage::show_backups() {
   const auto into = settings_.backup_folder(database_);
-  folder_->setText(tr("One a day, the newest %1 are kept in %2").arg(kBackupsKept).arg(QString::fromStdString(into.string())));
+  folder_->setText(tr("One a day. The newest %1 of these, and as many of your own, are kept in %2").arg(kBackupsKept).arg(QString::fromStdString(into.string())));
   const auto all = backups_in(into, station_);
   table_->show_backups(all.value_or(std::vector<Backup>{}));
   if (!all || all->empty()) {

@@ -197,6 +197,27 @@ TEST_F(Station, SaysWhichOldBackupCannotBeRemoved) {
   EXPECT_FALSE(shown->message().contains(QStringLiteral("database"))) << shown->message().toStdString();
 }
 
+TEST_F(Station, KeepsTheDailyBackupsHoweverManyAreMadeBesideThem) {
+  const auto into = std::filesystem::path(chosen.toStdString());
+  const auto daily = make_backup(records.store().context(), std::nullopt, into);
+  ASSERT_TRUE(daily);
+  std::optional<Backup> oldest;
+  for (std::size_t i = 0; i < kBackupsKept; ++i) {
+    records.now_us += 1'000'000;
+    auto made = make_backup(records.store().context(), admin.actor(), into);
+    ASSERT_TRUE(made);
+    if (!oldest) oldest = std::move(*made);
+  }
+  records.now_us += 1'000'000;
+  const auto shown = page();
+  shown->choose_folder();
+  shown->back_up();
+  ASSERT_TRUE(waited(*shown));
+  EXPECT_TRUE(shown->message().contains(QStringLiteral("made and checked"))) << shown->message().toStdString();
+  EXPECT_TRUE(std::filesystem::exists(daily->folder));
+  EXPECT_FALSE(std::filesystem::exists(oldest->folder)) << "of its kind there are more than are kept";
+}
+
 TEST_F(Station, VerifiesAndNamesWhatWasChanged) {
   const auto shown = page();
   shown->verify();
@@ -334,6 +355,13 @@ TEST_F(Station, ABackupIsDueADayAfterTheLast) {
   EXPECT_FALSE(backup_is_due(into, station, made->made_utc_us + kBackupEveryUs - 1));
   EXPECT_TRUE(backup_is_due(into, station, made->made_utc_us + kBackupEveryUs));
   EXPECT_TRUE(backup_is_due(into, station, made->made_utc_us - kBackupEveryUs)) << "a clock that was wrong stops no backups";
+}
+
+TEST_F(Station, ADailyBackupIsDueAlsoWhereSomebodyMadeOneToday) {
+  const std::filesystem::path into = folder.filePath(QStringLiteral("daily")).toStdString();
+  const auto made = make_backup(records.store().context(), admin.actor(), into);
+  ASSERT_TRUE(made);
+  EXPECT_TRUE(backup_is_due(into, records.store().context().station, made->made_utc_us));
 }
 
 }  // namespace
