@@ -55,6 +55,7 @@ Stored<void> ready_station(StorageContext& context, const std::filesystem::path&
     }
   }
   if (transaction.ok()) {
+    remove_left_writes(key_file);  // second names of the secret
     const Hash256 id = context.key->id();
     transaction.run("INSERT OR IGNORE INTO station_keys (id, public_key, added_at) VALUES (?1, ?2, ?3)", id,
                     context.key->public_key, context.clock());

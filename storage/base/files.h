@@ -41,6 +41,10 @@ Stored<void> rename_new(const std::filesystem::path& from, const std::filesystem
 
 /// Writes a file that only its owner can read; synced when it returns, never half written. duplicate if the file exists.
 Stored<void> write_private_file(const std::filesystem::path& file, const std::string& content);
+/// Removes what a write_private_file() of `file` left whose process was killed: of the names "station.db.key.a1B2c3", with six letters or
+/// digits, each second name of `file`, and each empty file. Another whole file stays, for people copy keys under such names. Touches regular
+/// files of this process's user alone, and none that a process is writing. Failures are ignored.
+void remove_left_writes(const std::filesystem::path& file);
 /// Writes a new file for the readers whom the umask admits; synced when it returns. duplicate if the file exists. A failure may leave a part.
 Stored<void> write_new_file(const std::filesystem::path& file, std::string_view content);
 /// Like write_private_file() for a file that may exist: readers see the old content or the whole new one. One writer at a time.

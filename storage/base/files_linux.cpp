@@ -1,9 +1,11 @@
 #include <fcntl.h>
 #include <linux/magic.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/vfs.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -134,6 +136,26 @@ bool take_name(const std::filesystem::path& from, const std::filesystem::path& t
   return unknown && rename_if_free(from, to);
 }
 
+/// Whether mkostemp() may have named it for write_private_file().
+bool is_fresh_name(std::string_view name, std::string_view of_file) {
+  if (!name.starts_with(of_file)) return false;
+  name.remove_prefix(of_file.size());
+  const auto drawn = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
+  return name.size() == 7 && name.front() == '.' && std::ranges::all_of(name.substr(1), drawn);
+}
+
+void remove_if_left(const std::filesystem::path& fresh, const std::filesystem::path& file) {
+  const int descriptor = open(fresh.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW);
+  if (descriptor < 0) return;
+  struct stat left{}, real{};
+  const bool own = fstat(descriptor, &left) == 0 && S_ISREG(left.st_mode) && left.st_uid == geteuid();
+  // lstat(): if `file` is a link, what it leads to is the only one.
+  const bool second_name = own && lstat(file.c_str(), &real) == 0 && real.st_dev == left.st_dev && real.st_ino == left.st_ino;
+  // Whoever writes it holds the lock until it has its name.
+  if (own && (second_name || left.st_size == 0) && flock(descriptor, LOCK_EX | LOCK_NB) == 0) unlink(fresh.c_str());
+  close(descriptor);
+}
+
 }  // namespace
 
 std::filesystem::path behind_links(const std::filesystem::path& file) {
@@ -220,9 +242,10 @@ Stored<void> rename_new(const std::filesystem::path& from, const std::filesystem
 }
 
 Stored<void> write_private_file(const std::filesystem::path& file, const std::string& content) {
-  std::string fresh = file.string() + "." + std::string(6, 'X');  // mkstemp replaces the last six
-  const int descriptor = mkstemp(fresh.data());                   // readable by its owner alone
+  std::string fresh = file.string() + "." + std::string(6, 'X');  // mkostemp replaces the last six
+  const int descriptor = mkostemp(fresh.data(), O_CLOEXEC);       // readable by its owner alone
   if (descriptor < 0) return std::unexpected(failure_now(file));
+  flock(descriptor, LOCK_EX | LOCK_NB);  // for remove_left_writes(); a drive that locks nothing leaves them
   Stored<void> result;
   if (write_through(descriptor, content)) {
     result = rename_new(fresh, file);
@@ -232,6 +255,17 @@ Stored<void> write_private_file(const std::filesystem::path& file, const std::st
   close(descriptor);
   if (!result) unlink(fresh.c_str());
   return result;
+}
+
+void remove_left_writes(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::string name = file.filename().string();
+  std::vector<std::filesystem::path> left;
+  const std::filesystem::path folder = std::filesystem::absolute(file, error).parent_path();
+  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (is_fresh_name(it->path().filename().string(), name)) left.push_back(it->path());
+  }
+  for (const std::filesystem::path& fresh : left) remove_if_left(fresh, file);
 }
 
 Stored<void> write_new_file(const std::filesystem::path& file, std::string_view content) {
