@@ -200,6 +200,12 @@ Stored<std::vector<ScenarioDraft>> Scenarios::drafts(const Actor& actor) {
       actor.id);
 }
 
+Stored<bool> Scenarios::has_draft(ScenarioId scenario) {
+  const auto draft = c_.db.first("SELECT 1 FROM scenario_drafts WHERE scenario = ?1 LIMIT 1", [](Row) { return true; }, scenario);
+  if (!draft) return std::unexpected(draft.error());
+  return draft->has_value();
+}
+
 Stored<DraftSave> Scenarios::drop_draft(const Actor& actor, ScenarioId scenario, const std::string& before) {
   if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return std::unexpected(allowed.error());
   Transaction transaction(c_.db);

@@ -71,6 +71,8 @@ class Scenarios {
                                const std::optional<std::string>& before);
   Stored<std::optional<ScenarioDraft>> draft(const Actor& actor, ScenarioId scenario);
   Stored<std::vector<ScenarioDraft>> drafts(const Actor& actor);  // the actor's, newest first
+  /// Whether anybody has one. Needs no right: it names nobody.
+  Stored<bool> has_draft(ScenarioId scenario);
   /// `before` as in save_draft. kept if no draft exists.
   Stored<DraftSave> drop_draft(const Actor& actor, ScenarioId scenario, const std::string& before);
 

@@ -155,6 +155,18 @@ TEST(Tree, WritesTextsInTheLocaleThatEveryThreadMayRead) {
   EXPECT_GT(read, 60);
 }
 
+TEST(Tree, HasSqlInStorageAlone) {
+  constexpr std::string_view kBegins[] = {"SELECT", "INSERT", "UPDATE", "DELETE", "PRAGMA", "CREATE", "ALTER", "DROP"};
+  int read = 0;
+  for (const fs::path& path : sources({"engine", "device", "scenarios", "ui"})) {
+    ++read;
+    const std::string text = text_of(path);
+    for (const std::string_view begins : kBegins)
+      EXPECT_EQ(text.find('"' + std::string(begins) + ' '), std::string::npos) << path << ": " << begins << "; ask a function of storage";
+  }
+  EXPECT_GT(read, 500);
+}
+
 TEST(Tree, LeavesNothingUnfinishedInTheCode) {
   const std::string words[] = {std::string("TO") + "DO", std::string("FIX") + "ME", std::string("XX") + "X"};
   for (const fs::path& path : sources({"engine", "device", "scenarios", "storage", "ui", "tests"})) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "storage/summary/records_size.h"
 #include "tests/storage/sample.h"
 
 namespace cusp::test {
@@ -39,6 +40,18 @@ TEST_F(HistoryTest, a_students_list_is_newest_first_with_attempts_counted) {
   EXPECT_EQ(rows[0].state, SessionState::graded);
   EXPECT_EQ(rows[1].attempt, 1);
   EXPECT_EQ(rows[1].critical, std::vector<std::string>{"pulp_exposure"});
+}
+
+TEST_F(HistoryTest, the_size_of_the_records_counts_sessions_of_any_state_and_bytes_in_whole_pages) {
+  attempt(lena, 60, false);
+  must(store->sessions.start(noah.actor(), new_session(noah, version)));
+  const RecordsSize size = must(records_size(store->database()));
+  EXPECT_EQ(size.sessions, 2u);
+  EXPECT_EQ(size.page_bytes, 8192u) << "of a new file";
+  EXPECT_EQ(size.bytes % size.page_bytes, 0u);
+  EXPECT_GT(size.bytes, size.page_bytes) << "also while all of it stands in the log";
+  must(store->database().run("ALTER TABLE session_summaries RENAME TO lost_summaries"));
+  EXPECT_EQ(code_of(records_size(store->database())), StorageError::bad_statement);
 }
 
 TEST_F(HistoryTest, the_interrupted_attempts_are_those_that_can_be_resumed_or_graded) {

@@ -39,11 +39,13 @@ TEST_F(ScenariosTest, publishing_makes_the_next_version_and_drops_the_draft) {
   must(scenarios.save_draft(instructor, first.scenario, "{\"draft\":2}", "{\"draft\":1}"));
   EXPECT_EQ(must(scenarios.draft(instructor, first.scenario))->json, "{\"draft\":2}");
   EXPECT_EQ(must(scenarios.drafts(instructor)).size(), 1u);
+  EXPECT_TRUE(must(scenarios.has_draft(first.scenario)));
   const auto second =
       must(scenarios.publish(instructor, small_scenario(), "{\"id\":3}", blake2b_256(std::string_view{"3"}), {}, "{\"draft\":2}"));
   EXPECT_EQ(second.number, 2);
   EXPECT_EQ(second.author, instructor.id);
   EXPECT_FALSE(must(scenarios.draft(instructor, first.scenario)));
+  EXPECT_FALSE(must(scenarios.has_draft(first.scenario)));
   EXPECT_EQ(code_of(scenarios.publish(instructor, small_scenario(), "{\"id\":3}", blake2b_256(std::string_view{"3"}))),
             StorageError::duplicate);
   EXPECT_EQ(must(scenarios.version(first.id)).json, "{\"id\":1}");

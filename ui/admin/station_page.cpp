@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <utility>
 
+#include "storage/summary/records_size.h"
 #include "ui/admin/backups_table.h"
 #include "ui/admin/recordings_card.h"
 #include "ui/admin/on_window.h"
@@ -61,15 +62,10 @@ StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, c
 }
 
 void StationPage::read_size(Store& store) {
-  const auto sessions = store.database().first("SELECT count(*) FROM session_summaries", [](Row row) { return row.u64(0); });
-  // With what the write-ahead log still holds.
-  const auto size = store.database().first("SELECT page_count * page_size, page_size FROM pragma_page_count(), pragma_page_size()",
-                                           [](Row row) { return std::pair{row.u64(0), row.u64(1)}; });
-  holds_ = tr("How much the records hold could not be read.");
-  if (!size || !*size) return;
-  const auto [bytes, of_one_page] = **size;
-  page_bytes_ = of_one_page;
-  if (sessions && *sessions) holds_ = tr("%n session(s), %1", nullptr, static_cast<int>(**sessions)).arg(size_text(bytes));
+  const auto size = records_size(store.database());
+  page_bytes_ = size ? size->page_bytes : 0;
+  holds_ = size ? tr("%n session(s), %1", nullptr, static_cast<int>(size->sessions)).arg(size_text(size->bytes))
+                : tr("How much the records hold could not be read.");
 }
 
 void StationPage::resizeEvent(QResizeEvent* event) {

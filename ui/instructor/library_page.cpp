@@ -43,10 +43,7 @@ constexpr int kFoldsBelow = 560;  // px at 100 % of height: the chosen exercise 
 constexpr int kGroupFrom = 900;   // px at 100 % of width
 
 /// Whether an instructor has a draft of it, for their drafts share a folder; true if the records give no answer.
-bool has_draft(Store& store, ScenarioId id) {
-  const auto drafts = store.database().first("SELECT count(*) FROM scenario_drafts WHERE scenario = ?1", [](Row row) { return row.integer(0); }, id);
-  return !drafts || drafts->value_or(1) != 0;
-}
+bool may_have_draft(Store& store, ScenarioId id) { return store.scenarios.has_draft(id).value_or(true); }
 
 }  // namespace
 
@@ -274,7 +271,7 @@ void LibraryPage::discard_draft() {
                  band_->show_message(Band::Kind::look, tr("The draft was changed in another window meanwhile."),
                                      tr("It was not discarded. The list shows it as it is now."));
                } else if (!published) {
-                 remove_unheld(drafts_folder(database_, id), [this, id] { return has_draft(store_, id); });
+                 remove_unheld(drafts_folder(database_, id), [this, id] { return may_have_draft(store_, id); });
                }
                read();
                fit_buttons();
