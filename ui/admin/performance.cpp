@@ -43,6 +43,19 @@ class Sorted : public QSortFilterProxyModel {
   }
 };
 
+/// Each of the newest attempts that has points, by its number.
+Stored<ChartSeries> dots_of(Store& store, const Actor& reader, HistoryFilter newest) {
+  newest.limit = kMostDots;
+  const auto rows = store.history.list(reader, newest);
+  if (!rows) return std::unexpected(rows.error());
+  ChartSeries dots;
+  dots.draw = ChartSeries::Draw::dots;
+  for (const HistoryRow& r : *rows) {
+    if (r.score) dots.points += {static_cast<double>(r.attempt), *r.score, QString::fromStdString(r.student_name), false};
+  }
+  return dots;
+}
+
 }  // namespace
 
 Performance::Performance(Store& store, const Actor& reader, const Ports& ports, QWidget* parent)
@@ -93,7 +106,11 @@ QBoxLayout* Performance::make_charts() {
     card->setFixedHeight(px(236));
     card->body()->addWidget(chart);
     charts_->addWidget(card, 1);
-    if (chart == learning_) learning_card_ = card;
+    if (chart != learning_) continue;
+    learning_card_ = card;
+    no_learning_ = make_paragraph({});
+    no_learning_->hide();
+    card->body()->addWidget(no_learning_, 1);
   }
   return charts_;
 }
@@ -276,7 +293,16 @@ void Performance::show_spread(const Figures& f) {
   spread_->set_data(spread);
 }
 
+void Performance::show_no_learning(const QString& why) {
+  learning_->hide();
+  no_learning_->setText(why);
+  no_learning_->show();
+}
+
 void Performance::show_learning(const Figures& f) {
+  if (f.attempts == 0) return show_no_learning(tr("No attempt has points yet."));
+  no_learning_->hide();
+  learning_->show();
   ChartData learning;
   learning.title = tr("Learning");
   // Later attempts are often those at harder exercises.
@@ -289,16 +315,10 @@ void Performance::show_learning(const Figures& f) {
   learning.value_text = points_text;
   if (f.learning.empty()) {
     // Too few students for a median: each attempt is one dot.
-    ChartSeries dots;
-    dots.name = tr("Attempts");
-    dots.draw = ChartSeries::Draw::dots;
-    HistoryFilter newest = filter();
-    newest.limit = kMostDots;
-    const auto rows = store_.history.list(reader_, newest);
-    for (const HistoryRow& r : rows ? *rows : std::vector<HistoryRow>{}) {
-      if (r.score) dots.points += {static_cast<double>(r.attempt), *r.score, QString::fromStdString(r.student_name), false};
-    }
-    learning.series += dots;
+    auto dots = dots_of(store_, reader_, filter());
+    if (!dots) return show_no_learning(tr("The attempts of this chart could not be read.") + u' ' + describe(dots.error()).line());
+    dots->name = tr("Attempts");
+    learning.series += std::move(*dots);
     learning.summary = tr("Each dot is one attempt: medians need three students.");
   } else {
     ChartSeries low, high, median;

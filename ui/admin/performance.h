@@ -94,6 +94,8 @@ class Performance : public QWidget, public Rereads, public AtWork {
   void show_numbers(const Figures& figures);
   void show_spread(const Figures& figures);
   void show_learning(const Figures& figures);
+  /// In place of the chart.
+  void show_no_learning(const QString& why);
 
   Store& store_;
   Actor reader_;
@@ -115,6 +117,7 @@ class Performance : public QWidget, public Rereads, public AtWork {
   QGridLayout* figures_ = nullptr;
   Chart *spread_ = nullptr, *learning_ = nullptr;
   Card* learning_card_ = nullptr;
+  QLabel* no_learning_ = nullptr;  // why it has no chart
   CriteriaCard* criteria_ = nullptr;  // shows with an exercise
   QBoxLayout* charts_ = nullptr;
 };

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QHeaderView>
+#include <QItemSelectionModel>
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
@@ -85,6 +86,31 @@ TEST_F(AdminPages, performance_that_cannot_be_read_shows_no_figures_of_other_fil
   page.exercise()->setCurrentIndex(0);
   EXPECT_EQ(page.attempts().rowCount(), 2);
   EXPECT_EQ(charts(), 2);
+}
+
+bool shows(const Performance& page, const char* part) {
+  return std::ranges::any_of(page.findChildren<QLabel*>(), [&](const QLabel* label) {
+    return label->isVisibleTo(&page) && label->text().contains(QLatin1String(part));
+  });
+}
+
+TEST_F(AdminPages, the_learning_chart_differs_between_no_attempt_yet_and_attempts_that_could_not_be_read) {
+  Performance page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  EXPECT_TRUE(shows(page, "No attempt has points yet."));
+  records.attempt(records.student("1", "Lena Brandt"), "channel-1", 60, 100);
+  page.read();
+  EXPECT_FALSE(shows(page, "No attempt has points yet."));
+  EXPECT_FALSE(shows(page, "could not be read"));
+  // Between the rows of the table and those of the chart.
+  QObject::connect(page.table()->selectionModel(), &QItemSelectionModel::currentChanged, &page, [this](const QModelIndex& now) {
+    if (!now.isValid()) return;
+    EXPECT_TRUE(records.store().database().run("DROP INDEX IF EXISTS summaries_by_time"));
+  });
+  page.read();
+  EXPECT_EQ(page.attempts().rowCount(), 1);
+  EXPECT_TRUE(shows(page, "The attempts of this chart could not be read."));
+  EXPECT_FALSE(shows(page, "No attempt has points yet."));
 }
 
 }  // namespace
