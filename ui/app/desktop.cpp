@@ -298,6 +298,7 @@ void Desktop::show_shell(const QString& page_key) {
   shell_ = shell;
   show_device();
   shell->show_page(page_key);
+  show_pack_outcomes();
 }
 
 void Desktop::show_device() {

@@ -21,6 +21,7 @@
 #include "ui/student/assessments.h"
 #include "ui/student/exercises.h"
 #include "ui/text/failure_text.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/ports.h"
 
 class QStackedWidget;
@@ -189,6 +190,17 @@ class Desktop : public QMainWindow {
   StoreOptions beside() const;
   void offer_pack(ReportPage& report);
   void write_pack(ReportPage& report, const QString& path);
+  /// How the writing of an appeal pack ended whose report was left.
+  struct PackOutcome {
+    UserId owner;  // who began it
+    Band::Kind kind = Band::Kind::info;
+    Message message;
+  };
+  /// To its owner: on another report that is shown, else over the pages until it is closed, also after the next sign-in.
+  void report_pack(PackOutcome outcome);
+  void show_pack_outcome(int number);
+  /// Of whoever is signed in.
+  void show_pack_outcomes();
   void show_pack(const std::shared_ptr<const OpenedPack>& pack);
   void show_assignment(AssignmentId assignment);
   void open_waiting_file();
@@ -225,6 +237,8 @@ class Desktop : public QMainWindow {
   IdleWatch idle_;
   BackgroundTask backup_, packing_, gathering_;
   int gathered_ = 0;  // calls of gather()
+  int packs_being_written_ = 0, packs_reported_ = 0;
+  std::map<int, PackOutcome> pack_outcomes_;  // by number, until their owners have closed them
   std::optional<Message> backup_failure_;  // of the last daily backup
   QDateTime next_backup_;                  // after one that failed; invalid: at once
   std::shared_ptr<WorkProgress> backing_up_;  // null: no daily backup is being made

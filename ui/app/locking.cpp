@@ -179,7 +179,7 @@ bool Desktop::asks_before_closing() {
     question.more = ImportPage::tr("The files stay as they are. What was read of them and what you chose here is not kept.");
   } else if (form) {
     question.what = tr("Close without saving the form?");
-  } else if (has_work(*this)) {
+  } else if (has_work(*this) || packs_being_written_ > 0) {
     question.what = tr("Close before the work has ended?");
     question.more = leave_work_question().more;
   } else {

@@ -1,8 +1,11 @@
 // Appeal packs on the desktop: one attempt out to a file, and a file opened as a report.
 
 #include <QApplication>
+#include <QPointer>
+#include <utility>
 
 #include "ui/app/desktop.h"
+#include "ui/app/shell.h"
 #include "ui/report/appeal_pack.h"
 #include "ui/report/pack_card.h"
 #include "ui/report/report_page.h"
@@ -47,18 +50,42 @@ void Desktop::offer_pack(ReportPage& report) {
 
 void Desktop::write_pack(ReportPage& report, const QString& path) {
   report.show_message(Band::Kind::info, tr("The appeal pack is being made."), {});
-  packing_ = BackgroundTask([path, page = QPointer<ReportPage>(&report), opener = open_, database = database_, options = beside(),
-                             actor = account_->actor(), session = report.data().result.session] {
+  ++packs_being_written_;
+  packing_ = BackgroundTask([self = QPointer(this), path, page = QPointer<ReportPage>(&report), opener = open_, database = database_,
+                             options = beside(), actor = account_->actor(), session = report.data().result.session] {
     const auto written = std::make_shared<Written>(write_in_background(opener(database, options), actor, session, path));
     QMetaObject::invokeMethod(
         qApp,
-        [page, path, written] {
-          if (!page) return;
-          if (*written) return page->show_message(Band::Kind::good, ReportPage::tr("The appeal pack is saved."), path);
-          page->show_message(Band::Kind::bad, written->error().what, written->error().more);
+        [self, page, path, owner = actor.id, written] {
+          if (!self) return;
+          --self->packs_being_written_;
+          const Band::Kind kind = *written ? Band::Kind::good : Band::Kind::bad;
+          const Message outcome = *written ? Message{ReportPage::tr("The appeal pack is saved."), path} : written->error();
+          // A page that was left may not be deleted yet.
+          if (page && page.data() == self->page()) return page->show_message(kind, outcome.what, outcome.more);
+          self->report_pack({owner, kind, *written ? outcome : Message{tr("No appeal pack was saved as %1.").arg(path), outcome.line()}});
         },
         Qt::QueuedConnection);
   });
+}
+
+void Desktop::report_pack(PackOutcome outcome) {
+  const bool here = account_ && account_->id == outcome.owner;
+  auto* report = here ? qobject_cast<ReportPage*>(page()) : nullptr;
+  if (report != nullptr) return report->show_message(outcome.kind, outcome.message.what, outcome.message.more);
+  const int number = packs_reported_++;
+  pack_outcomes_.emplace(number, std::move(outcome));
+  if (here && shell_) show_pack_outcome(number);
+}
+
+void Desktop::show_pack_outcome(int number) {
+  const PackOutcome& outcome = pack_outcomes_.at(number);
+  shell_->show_outcome(outcome.kind, outcome.message, [this, number] { pack_outcomes_.erase(number); });
+}
+
+void Desktop::show_pack_outcomes() {
+  for (const auto& [number, outcome] : pack_outcomes_)
+    if (outcome.owner == account_->id) show_pack_outcome(number);
 }
 
 void Desktop::open_pack(const QString& path) {

@@ -80,16 +80,31 @@ Shell::Shell(const Account& account, QVector<NavEntry> entries, QWidget* parent)
   row->addWidget(side_);
   auto* right = new QVBoxLayout;
   right->setSpacing(0);
-  auto* above = new QVBoxLayout;  // takes no space while the notice is hidden
-  above->setContentsMargins(px(24), px(16), px(24), 0);
-  above->addWidget(notice_);
-  right->addLayout(above);
+  above_ = new QVBoxLayout;  // takes no space while the notice is hidden
+  above_->setContentsMargins(px(24), px(16), px(24), 0);
+  above_->setSpacing(px(8));
+  above_->addWidget(notice_);
+  right->addLayout(above_);
   right->addWidget(pages_, 1);
   row->addLayout(right, 1);
   column->addLayout(row, 1);
 }
 
 void Shell::show_notice(const Message& message) { notice_->show_message(Band::Kind::look, message.what, message.more); }
+
+void Shell::show_outcome(Band::Kind kind, const Message& outcome, std::function<void()> closed) {
+  auto* band = new Band;
+  QPushButton* button = make_button(tr("Close"));
+  band->ways_out()->addWidget(button);
+  above_->addWidget(band);
+  connect(button, &QPushButton::clicked, band, [this, band, closed = std::move(closed)] {
+    page()->setFocus();  // the button goes
+    band->hide();
+    band->deleteLater();
+    closed();
+  });
+  band->show_message(kind, outcome.what, outcome.more);
+}
 
 QWidget* Shell::make_top_bar(const Account& account) {
   const auto [bar, row] = make_bar_top();

@@ -9,6 +9,7 @@
 
 #include "storage/repositories/accounts.h"
 #include "ui/modules.h"
+#include "ui/widgets/parts.h"
 
 class QButtonGroup;
 class QLabel;
@@ -20,7 +21,6 @@ class QVBoxLayout;
 
 namespace cusp::ui {
 
-class Band;
 struct Message;
 
 /// One line of the sidebar. The page is made when it is first shown, and anew each time it is chosen again, so that it
@@ -46,6 +46,8 @@ class Shell : public QWidget {
   void show_device(const QString& name, const QString& icon_name);
   /// A band over the pages that stays: what is the matter with the records.
   void show_notice(const Message& message);
+  /// A band over the pages with how work ended whose page was left. It stays until somebody closes it; then it calls `closed`.
+  void show_outcome(Band::Kind kind, const Message& outcome, std::function<void()> closed);
   const QVector<NavEntry>& entries() const { return entries_; }
   /// Offers in the account's menu which hand holds the handpiece, and keeps the choice there. `settings` outlives this.
   void keep_hand_in(class Settings& settings);
@@ -82,6 +84,7 @@ class Shell : public QWidget {
   QMenu *account_menu_ = nullptr, *language_menu_ = nullptr;
   QLabel *device_sign_ = nullptr, *device_ = nullptr;
   Band* notice_;
+  QVBoxLayout* above_ = nullptr;  // bands over the pages
   QButtonGroup* group_;
   QStackedWidget* pages_;
 };
