@@ -264,7 +264,12 @@ void DevicePage::fill() {
 }
 
 void DevicePage::use(const FoundDevice& device) {
-  inner_->device.choose(device.kind, device.name);
+  Inner& in = *inner_;
+  in.band->clear();  // it speaks of the choice before
+  if (!in.device.choose(device.kind, device.name)) {
+    in.band->show_message(Band::Kind::bad, tr("The device holds until Cusp is closed."),
+                          tr("%1 cannot be written, so the next start does not know the device.").arg(in.device.file()));
+  }
   show_chosen();
   Q_EMIT chosen();
 }
@@ -304,8 +309,12 @@ void DevicePage::name_firmware() {
                               in.band->show_message(Band::Kind::bad, message.what, message.more);
                               return;
                             }
-                            in.device.set_firmware({path.toStdString(), image->sha256()});
-                            in.band->show_message(Band::Kind::good, tr("The file is sound and will be used."));
+                            if (in.device.set_firmware({path.toStdString(), image->sha256()})) {
+                              in.band->show_message(Band::Kind::good, tr("The file is sound and will be used."));
+                            } else {
+                              in.band->show_message(Band::Kind::bad, tr("The file is sound and will be used until Cusp is closed."),
+                                                    tr("%1 cannot be written, so the next start does not know the file.").arg(in.device.file()));
+                            }
                             self->show_firmware();
                             self->show_chosen();
                           });

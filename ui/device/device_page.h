@@ -41,7 +41,7 @@ class DevicePage : public QWidget {
   void look();
 
  Q_SIGNALS:
-  /// Another device was chosen, and is kept: see DeviceSettings.
+  /// Another device was chosen, and is kept at least until the program ends: see DeviceSettings.
   void chosen();
   /// As FalconPanel::tested().
   void tested(const DeviceTest& test);

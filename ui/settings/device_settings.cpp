@@ -3,6 +3,7 @@
 #include <QUrl>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 #include "device/catalogue.h"
@@ -16,6 +17,19 @@ namespace {
 QString group(const std::string& name, const char* key) {
   const QString safe = QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(name)));
   return QStringLiteral("falcon-%1/%2").arg(safe, QString::fromLatin1(key));
+}
+
+struct Entry {
+  const char* key;
+  std::string value;
+};
+
+/// Every object of the program with this file reads them at once. False: the file itself cannot be written.
+bool write_now(const QString& file, std::initializer_list<Entry> entries) {
+  QSettings fresh(file, QSettings::IniFormat);  // its status is of this write alone
+  for (const Entry& entry : entries) fresh.setValue(QString::fromLatin1(entry.key), QString::fromStdString(entry.value));
+  fresh.sync();
+  return fresh.status() != QSettings::AccessError;
 }
 
 }  // namespace
@@ -37,9 +51,8 @@ DeviceChoice DeviceSettings::choice_of(const std::string& kind, const std::strin
   return out;
 }
 
-void DeviceSettings::choose(const std::string& kind, const std::string& name) {
-  store_.setValue("device/kind", QString::fromStdString(kind));
-  store_.setValue("device/name", QString::fromStdString(name));
+bool DeviceSettings::choose(const std::string& kind, const std::string& name) {
+  return write_now(file(), {{"device/kind", kind}, {"device/name", name}});
 }
 
 InverseSettings DeviceSettings::inverse() const {
@@ -65,9 +78,8 @@ FirmwareChoice DeviceSettings::firmware() const {
           store_.value("firmware/sha256").toString().toStdString()};
 }
 
-void DeviceSettings::set_firmware(const FirmwareChoice& firmware) {
-  store_.setValue("firmware/file", QString::fromStdString(firmware.file.string()));
-  store_.setValue("firmware/sha256", QString::fromStdString(firmware.sha256));
+bool DeviceSettings::set_firmware(const FirmwareChoice& firmware) {
+  return write_now(file(), {{"firmware/file", firmware.file.string()}, {"firmware/sha256", firmware.sha256}});
 }
 
 FalconProfile DeviceSettings::profile(const std::string& name) const {

@@ -14,11 +14,12 @@ class DeviceSettings {
  public:
   /// `file` as Settings::file(); empty: the user's own.
   explicit DeviceSettings(const QString& file = {});
+  QString file() const { return store_.fileName(); }
 
   /// The device that attempts are drilled with, with all that is known of it.
   DeviceChoice choice() const;
-  /// Choosing keeps what is known of the others.
-  void choose(const std::string& kind, const std::string& name);
+  /// Choosing keeps what is known of the others. False: the file cannot be written, and the choice ends with the program.
+  bool choose(const std::string& kind, const std::string& name);
   /// With what is known of this one.
   DeviceChoice choice_of(const std::string& kind, const std::string& name) const;
 
@@ -26,7 +27,8 @@ class DeviceSettings {
   void set_inverse(const InverseSettings& settings);
 
   FirmwareChoice firmware() const;
-  void set_firmware(const FirmwareChoice& firmware);
+  /// False: as of choose().
+  bool set_firmware(const FirmwareChoice& firmware);
 
   FalconProfile profile(const std::string& name) const;
   void set_profile(const std::string& name, const FalconProfile& profile);

@@ -1,7 +1,9 @@
-// What the device page looks at: the port of the Inverse3's service, and what comes while the keyboard is in its list.
+// What the device page looks at: the port of the Inverse3's service, and what comes while the keyboard is in its list; and what it reports
+// of a choice that no file takes.
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QFile>
 #include <QRadioButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -10,8 +12,10 @@
 #include "tests/modules.h"
 #include "ui/device/device_page.h"
 #include "ui/device/inverse_panel.h"
+#include "ui/settings/device_settings.h"
 #include "ui/settings/settings.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/parts.h"
 
 namespace cusp::test {
 namespace {
@@ -74,6 +78,27 @@ TEST(DevicePage, the_keyboard_stays_in_the_list_when_a_device_comes) {
   page.look();
   ASSERT_GT(page.listed().size(), before);
   EXPECT_EQ(QApplication::focusWidget(), chosen());
+}
+
+/// Chooses the emulated Falcon on a page over these settings. The page's own band, before its panels have one.
+QString band_after_choice(Settings& settings) {
+  DevicePage page(settings, Ports::of_the_system(), Role::instructor, nullptr, [] { return std::make_unique<EmptyWatch>(); });
+  for (QRadioButton* one : page.findChildren<QRadioButton*>())
+    if (!one->isChecked() && one->text().contains(QStringLiteral("Emulated"))) one->click();
+  const Band* band = page.findChild<Band*>();
+  return band->isVisibleTo(&page) ? band->text() : QString();
+}
+
+TEST(DevicePage, a_choice_that_the_next_start_does_not_know_holds_until_the_program_ends_and_is_reported) {
+  const QTemporaryDir folder;
+  QFile file(folder.filePath(QStringLiteral("a file")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  Settings lost(folder.filePath(QStringLiteral("a file/Cusp.ini")));  // root may write a read-only folder, and nobody this one
+  EXPECT_TRUE(band_after_choice(lost).startsWith(QStringLiteral("The device holds until Cusp is closed.")));
+  EXPECT_EQ(DeviceSettings(lost.file()).choice().kind, "emulated-falcon");
+  Settings kept(folder.filePath(QStringLiteral("Cusp.ini")));
+  EXPECT_EQ(band_after_choice(kept), QString());
+  EXPECT_EQ(DeviceSettings(kept.file()).choice().kind, "emulated-falcon");
 }
 
 }  // namespace
