@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "storage/repositories/possible_doubles.h"
 #include "tests/storage/two_stations.h"
 
 namespace cusp::test {
@@ -24,6 +25,23 @@ struct ExchangePeopleTest : TwoStations {
   Account at_station(const Account& account) { return must(station->accounts.find(account.id)); }
   void expect_whole() { EXPECT_TRUE(must(verify_store(station->context())).intact()); }
 };
+
+TEST_F(ExchangePeopleTest, that_two_stations_made_for_one_number_are_named_as_possible_doubles_with_the_other_station) {
+  must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
+  const Account own = must(station->accounts.create(keeper, {.number = "1001", .name = "L. Brandt"}));
+  attempt(own);
+  EXPECT_TRUE(must(possible_doubles(office->context(), chief)).empty());
+  at_office(results());
+  const auto doubles = must(possible_doubles(office->context(), chief));
+  ASSERT_EQ(doubles.size(), 1u);
+  EXPECT_EQ(doubles[0].account.id, lena.id);
+  EXPECT_EQ(doubles[0].other.id, own.id);
+  EXPECT_EQ(doubles[0].other.name, "L. Brandt");
+  EXPECT_EQ(doubles[0].stations, std::vector<Uuid>{station->context().station});
+  EXPECT_EQ(code_of(possible_doubles(office->context(), lena.actor())), StorageError::not_allowed);
+  must(office->accounts.rename(chief, own.id, "1001 b", own.name));
+  EXPECT_TRUE(must(possible_doubles(office->context(), chief)).empty()) << "somebody knows that these are two people";
+}
 
 TEST_F(ExchangePeopleTest, two_whose_numbers_were_exchanged_change_them_at_the_station_too) {
   carry_over();

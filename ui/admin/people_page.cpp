@@ -34,8 +34,8 @@ constexpr int kListLeast = 214;   // above the form: a head and five rows
 
 }  // namespace
 
-PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWidget* parent)
-    : QWidget(parent), store_(store), actor_(actor), ports_(ports), model_(new PeopleModel(this)) {
+PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWidget* parent, const Settings* names)
+    : QWidget(parent), store_(store), actor_(actor), ports_(ports), model_(new PeopleModel(this)), names_(names) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(px(24), px(16), px(24), px(24));
   outer->setSpacing(px(12));
@@ -129,6 +129,9 @@ void PeoplePage::filter() {
 QWidget* PeoplePage::make_form() {
   form_ = new Card(tr("Add a person"));
   form_->wrap_title();  // a name
+  same_person_ = make_paragraph({});
+  same_person_->hide();
+  form_->body()->addWidget(same_person_);
   name_ = new QLineEdit;
   number_ = new QLineEdit;
   role_ = new QComboBox;
@@ -188,6 +191,7 @@ void PeoplePage::begin_new() {
   switch_->hide();
   erase_->hide();
   fit_secret();
+  show_doubles();
   name_->setFocus();
 }
 
@@ -235,6 +239,7 @@ void PeoplePage::show_person(const Account& account) {
   switch_->setVisible(edited_->id != actor_.id);
   erase_->setVisible(edited_->id != actor_.id);
   fit_secret();
+  show_doubles();
 }
 
 void PeoplePage::read() {
@@ -244,6 +249,7 @@ void PeoplePage::read() {
     band_->show_message(Band::Kind::bad, message.what, message.more);
     return;
   }
+  doubles_ = possible_doubles(store_.context(), actor_).value_or(std::vector<PossibleDouble>{});  // the list without them is better than none
   if (edited_) {
     const auto now = std::ranges::find(*accounts, edited_->id, &Account::id);
     now != accounts->end() ? show_person(*now) : begin_new();

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "storage/repositories/possible_doubles.h"
 #include "storage/store.h"
 #include "ui/modules.h"
 #include "ui/session/background_task.h"
@@ -28,13 +29,15 @@ class Band;
 class Card;
 class DepartedCard;
 class PeopleModel;
+class Settings;
 class Table;
 
 class PeoplePage : public QWidget, public Rereads, public HalfFilled {
   Q_OBJECT
 
  public:
-  PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWidget* parent = nullptr);
+  /// `names`: what people here call other stations; outlives the page. nullptr: they are named by the end of their id.
+  PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWidget* parent = nullptr, const Settings* names = nullptr);
   PeopleModel* model() const { return model_; }
   Table* table() const { return table_; }
   DepartedCard& departed() { return *departed_; }
@@ -60,6 +63,8 @@ class PeoplePage : public QWidget, public Rereads, public HalfFilled {
   /// Calls `then`; after a question, or never, if it would take away what is typed.
   void leave_form(std::function<void()> then);
   void begin_new();
+  /// Who may be the same person as the form's, by an account that another station made.
+  void show_doubles();
   void fit_secret();
   void save();
   void show_saved(const AccountChange& change, const Stored<void>& done);
@@ -82,6 +87,9 @@ class PeoplePage : public QWidget, public Rereads, public HalfFilled {
   QLabel* count_ = nullptr;
   Card* form_ = nullptr;
   DepartedCard* departed_ = nullptr;
+  const Settings* names_;
+  std::vector<PossibleDouble> doubles_;
+  QLabel* same_person_ = nullptr;  // shows doubles_ of the form's person
   QLineEdit *name_ = nullptr, *number_ = nullptr, *secret_ = nullptr;
   QLabel *secret_label_ = nullptr, *secret_note_ = nullptr;
   QComboBox* role_ = nullptr;

@@ -179,7 +179,7 @@ void Desktop::add_school_entries(QVector<NavEntry>& list) {
   if (may(role, Action::manage_accounts)) {
     list += {u"people"_qs, tr("People"), u"person"_qs,
              [this]() -> QWidget* {
-               auto* page = new PeoplePage(*store_, account_->actor(), ports_);
+               auto* page = new PeoplePage(*store_, account_->actor(), ports_, nullptr, &settings_);
                connect(page, &PeoplePage::import_wanted, this, &Desktop::import_people);
                return page;
              }};
