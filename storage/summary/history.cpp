@@ -247,6 +247,15 @@ Stored<std::vector<HistoryRow>> History::interrupted(const Actor& actor, UserId 
   return readable_rows(c_.db, actor, *sessions);
 }
 
+Stored<bool> History::lacks_grade(const Actor& actor, SessionId session) {
+  const auto student = c_.db.first(
+      "SELECT m.student FROM session_summaries m JOIN sessions s ON s.id = m.session WHERE m.session = ?1 AND m.state = 'finished' "
+      "AND m.listed = 1 AND m.engine_version = ?2 AND s.station = ?3",
+      [](Row row) { return row.id<UserId>(0); }, session, kEngineVersion, c_.station);
+  if (!student) return std::unexpected(student.error());
+  return *student && (**student == actor.id || may(actor.role, Action::grade_again));
+}
+
 Stored<std::vector<ExerciseStanding>> History::standings(const Actor& actor, UserId student) {
   if (auto allowed = require_reading(actor, student); !allowed) return std::unexpected(allowed.error());
   const Snapshot snapshot(c_.db);

@@ -154,6 +154,9 @@ class History {
   /// Interrupted sessions of this student on this station, newest first, without a grade and recorded by this engine version. Each can be
   /// graded as it stands, and resumed on a device of the row's class unless it keeps a volume.
   Stored<std::vector<HistoryRow>> interrupted(const Actor& actor, UserId student);
+  /// Whether the attempt has ended here, by this engine version, and has no grade: its program ended between the two. False for whoever may
+  /// not grade it: its student may, and who has grade_again.
+  Stored<bool> lacks_grade(const Actor& actor, SessionId session);
   Stored<std::vector<ExerciseStanding>> standings(const Actor& actor, UserId student);
   /// The student's graded attempts at a scenario with one device class that have an own assessment which was not skipped, each once, by
   /// its first own assessment; oldest first.

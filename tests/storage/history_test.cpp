@@ -54,6 +54,23 @@ TEST_F(HistoryTest, the_size_of_the_records_counts_sessions_of_any_state_and_byt
   EXPECT_EQ(code_of(records_size(store->database())), StorageError::bad_statement);
 }
 
+TEST_F(HistoryTest, an_attempt_that_ended_here_without_its_grade_lacks_one_for_its_student_and_for_instructors) {
+  const SessionId ended = must(store->sessions.start(lena.actor(), new_session(lena, version))).id;
+  must(store->traces.append(ended, second_from(1)));
+  const auto lacks = [&](const Actor& actor) { return must(store->history.lacks_grade(actor, ended)); };
+  EXPECT_FALSE(lacks(lena.actor())) << "it runs";
+  must(store->sessions.finish(ended, volume_after(12), "student"));
+  EXPECT_TRUE(lacks(lena.actor()));
+  EXPECT_TRUE(lacks(instructor));
+  EXPECT_FALSE(lacks(noah.actor()));
+  EXPECT_FALSE(lacks({UserId::make(), Role::administrator}));
+  must(store->database().run("UPDATE sessions SET station = zeroblob(16) WHERE id = ?1", ended));
+  EXPECT_FALSE(lacks(instructor)) << "another station grades its own";
+  must(store->database().run("UPDATE sessions SET station = ?2 WHERE id = ?1", ended, store->context().station));
+  must(store->grades.save(ended, small_grade(), {}));
+  EXPECT_FALSE(lacks(lena.actor()));
+}
+
 TEST_F(HistoryTest, the_interrupted_attempts_are_those_that_can_be_resumed_or_graded) {
   attempt(lena, 60, false);
   const auto interrupted = [&](const Account& student) {

@@ -105,7 +105,7 @@ class Desktop : public QMainWindow {
   void resume_attempt(const SessionId& session);
   /// After an attempt: its report, or that it is handed in. Where the exercise says so, who drilled it rates it first.
   void end_attempt(const std::shared_ptr<const SessionResult>& result, const std::optional<Exercise>& exercise);
-  /// Of an own assessment that is interrupted: the start page, which continues it.
+  /// Of an own assessment that is interrupted: the start page, which continues it. One that was finished without a grade gets it first.
   void open_report(const SessionId& session);
   /// Asks, then grades an attempt that broke off as it stands, keeps that grade and shows it; hands in an assessment.
   void grade_interrupted(const SessionId& session);

@@ -45,7 +45,10 @@ void Desktop::open_report(const SessionId& session) {
   const auto state = store_->sessions.state(session);
   if (state && *state == SessionState::running) return show_failure(describe(StorageFailure{StorageError::wrong_state, "session", session.text()}));
   const auto readable = store_->history.may_read_result(account_->actor(), session);
-  if (readable) return open_result_page(session, Keep::nothing);
+  if (readable) {
+    const bool grades_it = !reading_only_ && store_->history.lacks_grade(account_->actor(), session).value_or(false);
+    return open_result_page(session, grades_it ? Keep::grade : Keep::nothing);
+  }
   if (!is_withheld(readable.error())) return show_failure(describe(readable.error()));
   if (state && *state == SessionState::interrupted && !reading_only_) return shell_->show_page(u"start"_qs);
   show_handed_in(session);

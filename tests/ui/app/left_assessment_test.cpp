@@ -82,6 +82,20 @@ struct LeftAssessment : ::testing::Test {
     return records.store().history.list(lena.actor())->front().session;
   }
   SessionState state_of(const SessionId& session) { return *records.store().sessions.state(session); }
+  /// As where the program is killed between the end of an attempt and its grade.
+  void end_without_grade(const SessionId& session) {
+    Store& store = records.store();
+    ASSERT_TRUE(store.sessions.resume(session, "student"));
+    const auto chunks = store.traces.chunks(session);
+    ASSERT_TRUE(chunks);
+    FinalVolume volume;
+    if (!chunks->empty()) volume.tick = chunks->back().first_tick + chunks->back().count - 1;
+    ASSERT_TRUE(store.sessions.finish(session, volume, "student"));
+    ASSERT_EQ(state_of(session), SessionState::finished);
+  }
+  bool reports() {
+    return QTest::qWaitFor([&] { return qobject_cast<ReportPage*>(desktop->page()) != nullptr; }, kDrillingMs);
+  }
 
   DeskRecords records;
   QTemporaryDir folder;
@@ -167,6 +181,31 @@ TEST_F(LeftAssessment, is_graded_after_a_question_and_so_is_a_practice_that_was_
   answer(true);
   ASSERT_TRUE(QTest::qWaitFor([&] { return qobject_cast<ReportPage*>(desktop->page()) != nullptr; }, kDrillingMs));
   EXPECT_EQ(state_of(practice), SessionState::graded);
+}
+
+TEST_F(LeftAssessment, that_ended_without_its_grade_gets_it_where_its_examiner_opens_it) {
+  const SessionId session = sit_and_leave();
+  end_without_grade(session);
+  desktop->open_report(session);
+  EXPECT_NE(qobject_cast<HandedIn*>(desktop->page()), nullptr) << "its result is withheld from the student";
+  EXPECT_EQ(state_of(session), SessionState::finished);
+  desktop->sign_in(*records.store().accounts.find(examiner.id));
+  desktop->open_report(session);
+  ASSERT_TRUE(reports());
+  EXPECT_EQ(state_of(session), SessionState::graded);
+}
+
+TEST_F(LeftAssessment, and_a_practice_that_ended_without_its_grade_gets_it_where_its_student_opens_it) {
+  desktop->drill(exercise);
+  ASSERT_TRUE(drills());
+  screen()->ask_leave();
+  ASSERT_TRUE(leaves());
+  const SessionId practice = records.store().history.list(lena.actor())->front().session;
+  end_without_grade(practice);
+  desktop->open_report(practice);
+  ASSERT_TRUE(reports());
+  EXPECT_EQ(state_of(practice), SessionState::graded);
+  EXPECT_TRUE(records.store().history.list(lena.actor())->front().score.has_value()) << "it counts among the results";
 }
 
 TEST_F(LeftAssessment, keeps_the_button_to_practise_from_the_report_of_an_earlier_one_until_it_is_handed_in) {
