@@ -229,7 +229,8 @@ Stored<Backup> read_backup(const fs::path& folder) {
 Stored<std::vector<Backup>> backups_in(const fs::path& into, const std::optional<Uuid>& station) {
   std::vector<Backup> out;
   std::error_code error;
-  if (!fs::exists(into, error)) return out;
+  if (!fs::exists(into, error) && !error) return out;
+  if (error) return std::unexpected(failure_from(error, into));
   for (fs::directory_iterator it(into, error), end; !error && it != end; it.increment(error)) {
     if (auto backup = read_backup(it->path()); backup && (!station || backup->station == *station)) out.push_back(std::move(*backup));
   }

@@ -41,7 +41,8 @@ struct Backup {
 Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& actor, const std::filesystem::path& into,
                            const WorkWatch& watch = {});
 
-/// Of this station, or of every one without a station, newest first: several may share a folder. Empty if the folder does not exist.
+/// Of this station, or of every one without a station, newest first: several may share a folder. Empty if the folder does not exist; a
+/// drive that does not answer is a failure.
 Stored<std::vector<Backup>> backups_in(const std::filesystem::path& into, const std::optional<Uuid>& station);
 /// not_found unless the folder holds a whole backup.
 Stored<Backup> read_backup(const std::filesystem::path& folder);

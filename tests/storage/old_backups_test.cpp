@@ -78,6 +78,14 @@ TEST_F(OldBackups, whose_description_names_no_kind_count_as_daily_ones) {
   EXPECT_FALSE(is_there(older));
 }
 
+TEST_F(OldBackups, in_a_folder_that_the_system_cannot_reach_are_not_reported_as_none) {
+  make();
+  const std::filesystem::path loop = folder / "loop";
+  std::filesystem::create_symlink("loop", loop);  // nobody reaches it, root neither
+  EXPECT_EQ(code_of(backups_in(loop, std::nullopt)), StorageError::io);
+  EXPECT_TRUE(must(backups_in(folder / "nowhere", std::nullopt)).empty());
+}
+
 TEST_F(OldBackups, that_a_link_leads_to_stay_whole_and_take_no_place_of_another) {
   const Backup elsewhere = make(), oldest = make(), newest = make();
   std::filesystem::rename(elsewhere.folder, folder / "elsewhere");

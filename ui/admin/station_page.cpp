@@ -142,7 +142,8 @@ void StationPage::show_backups() {
   const auto all = backups_in(into, station_);
   table_->show_backups(all.value_or(std::vector<Backup>{}));
   if (!all || all->empty()) {
-    newest_->setText(all ? tr("There is no backup yet.") : describe(all.error()).what);
+    newest_->setText(all ? tr("There is no backup yet.")
+                         : tr("The folder cannot be read: %1.").arg(QString::fromLocal8Bit(all.error().detail.c_str())));
     return;
   }
   newest_->setText(tr("The newest one is of %1.").arg(format_day_time(local_time(all->front().made_utc_us))));

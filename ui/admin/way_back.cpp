@@ -54,7 +54,7 @@ void WayBack::look_into(const std::filesystem::path& folder) {
   auto all = backups_in(folder, std::nullopt);
   const QString name = QString::fromStdString(folder.string());
   if (!all) {
-    found_->setText(describe(all.error()).what);
+    found_->setText(tr("%1 cannot be read: %2.").arg(name, QString::fromLocal8Bit(all.error().detail.c_str())));
   } else if (all->empty()) {
     found_->setText(tr("There is no backup in %1.").arg(name));
   } else {

@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QTest>
 #include <algorithm>
+#include <filesystem>
 #include <future>
 
 #include "tests/modules.h"
@@ -64,6 +65,9 @@ class Station : public testing::Test {
     const auto count = records.store().database().first("SELECT count(DISTINCT session) FROM trace_chunks", [](Row row) { return row.integer(0); });
     return count ? count->value_or(-1) : -1;
   }
+  static bool shows(const StationPage& shown, const char* part) {
+    return std::ranges::any_of(shown.findChildren<QLabel*>(), [&](const QLabel* label) { return label->text().contains(QLatin1String(part)); });
+  }
   std::unique_ptr<StationPage> page() {
     return std::make_unique<StationPage>(records.store(), admin.actor(), settings, ports);
   }
@@ -109,15 +113,21 @@ TEST_F(Station, MakesABackupWhereItWasAskedTo) {
 }
 
 TEST_F(Station, ShowsNoNumberOfSessionsThatCouldNotBeRead) {
-  const auto shows = [](const StationPage& shown, const char* part) {
-    return std::ranges::any_of(shown.findChildren<QLabel*>(), [&](const QLabel* label) { return label->text().contains(QLatin1String(part)); });
-  };
   const auto read = page();
   EXPECT_TRUE(shows(*read, "1 session"));
   ASSERT_TRUE(records.store().database().run("ALTER TABLE session_summaries RENAME TO lost_summaries"));
   const auto unread = page();
   EXPECT_TRUE(shows(*unread, "How much the records hold could not be read."));
   EXPECT_FALSE(shows(*unread, "0 session"));
+}
+
+TEST_F(Station, TakesAFolderThatCannotBeReachedForNoEmptyOne) {
+  const std::filesystem::path loop = folder.filePath(QStringLiteral("loop")).toStdString();
+  std::filesystem::create_symlink("loop", loop);  // nobody reaches it, root neither
+  EXPECT_TRUE(shows(*page(), "There is no backup yet."));
+  ASSERT_TRUE(settings.set_backup_folder(QString::fromStdString(loop.string())));
+  EXPECT_TRUE(shows(*page(), "The folder cannot be read: "));
+  EXPECT_FALSE(shows(*page(), "There is no backup yet."));
 }
 
 TEST_F(Station, PutsTheNumbersOfBackupsAtTheRight) {
