@@ -35,7 +35,9 @@ bool Desktop::keep_daily_backup() {
   // What is written meanwhile would slow the recorder down.
   const bool drilling = page() != nullptr && page()->findChild<ToothView*>() != nullptr;
   if (!store_ || reading_only_ || drilling || backing_up_ || !backup_.over()) return false;
-  if (next_backup_.isValid() && ports_.now() < next_backup_) return false;
+  // A clock that was ahead at the failure puts no further try off.
+  const qint64 wait_s = next_backup_.isValid() ? ports_.now().secsTo(next_backup_) : 0;
+  if (wait_s > 0 && wait_s <= kBackupRetryS) return false;
   if (!backup_is_due(into, store_->context().station, system_utc_us())) return false;
   backing_up_ = std::make_shared<WorkProgress>();
   const auto then = [self = QPointer(this)](const Stored<BackedUp>& made) {
