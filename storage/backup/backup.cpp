@@ -135,6 +135,24 @@ std::error_code remove_copy(const fs::path& folder) {
   return error;
 }
 
+/// A backup without a description, or with the beginning of one: write_private_file() adds to its name.
+bool is_abandoned(const fs::path& folder) {
+  const auto is_content = [](std::string_view name) {
+    return name.starts_with(kBackupDatabase) || name.starts_with(std::string(kBackupDescription) + '.');
+  };
+  std::error_code error;
+  return folder.filename().string().starts_with("cusp-") && is_left_folder(folder, is_content) && !fs::is_empty(folder, error) && !error;
+}
+
+/// Of any station. Each holds a secret key, and room that the next backup needs.
+std::vector<fs::path> abandoned_in(const fs::path& into) {
+  std::vector<fs::path> out;
+  std::error_code error;
+  for (fs::directory_iterator it(into, error), end; !error && it != end; it.increment(error))
+    if (is_abandoned(it->path())) out.push_back(it->path());
+  return out;
+}
+
 /// corrupt if the file is there and holds no whole key.
 Stored<void> check_key_file(const fs::path& file) {
   const auto content = read_private_file(file);
@@ -172,6 +190,7 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
   std::error_code ignored;
   const bool is_new = fs::symlink_status(into, ignored).type() == fs::file_type::not_found;
   const std::int64_t now = context.clock();
+  for (const fs::path& left : abandoned_in(into)) remove_copy(left);  // thin_backups() reports what stays
   const auto folder = new_folder(into, "cusp", now);
   const auto take_back_all = [&] {
     if (folder) remove_copy(*folder);
@@ -241,30 +260,14 @@ Stored<std::vector<Backup>> backups_in(const fs::path& into, const std::optional
   return out;
 }
 
-namespace {
-
-/// A backup without a description, or with the beginning of one: write_private_file() adds to its name.
-bool is_abandoned(const fs::path& folder) {
-  const auto is_content = [](std::string_view name) {
-    return name.starts_with(kBackupDatabase) || name.starts_with(std::string(kBackupDescription) + '.');
-  };
-  std::error_code error;
-  return folder.filename().string().starts_with("cusp-") && is_left_folder(folder, is_content) && !fs::is_empty(folder, error) && !error;
-}
-
-}  // namespace
-
 Stored<void> thin_backups(const fs::path& into, const Uuid& station, BackupKind kind, std::size_t keep, std::int64_t now_utc_us) {
-  std::vector<fs::path> abandoned;
+  std::vector<fs::path> going = abandoned_in(into);
   std::error_code ignored;
-  for (fs::directory_iterator it(into, ignored), end; !ignored && it != end; it.increment(ignored))
-    if (is_abandoned(it->path())) abandoned.push_back(it->path());
   auto all = backups_in(into, station);
   if (!all) return std::unexpected(all.error());
   // Removing would begin with the description behind the link.
   std::erase_if(*all, [&](const Backup& one) { return one.kind != kind || fs::is_symlink(one.folder, ignored); });
   std::ranges::stable_partition(*all, [&](const Backup& one) { return one.made_utc_us <= now_utc_us; });
-  std::vector<fs::path> going = std::move(abandoned);
   for (std::size_t i = keep; i < all->size(); ++i) going.push_back((*all)[i].folder);
   Stored<void> out;
   for (const fs::path& folder : going) {

@@ -1,6 +1,7 @@
 /// Old backups that cannot be removed, and those that must not be.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -76,6 +77,18 @@ TEST_F(OldBackups, whose_description_names_no_kind_count_as_daily_ones) {
   make_daily();
   keep_one(BackupKind::daily);
   EXPECT_FALSE(is_there(older));
+}
+
+TEST_F(OldBackups, that_were_cut_off_a_day_ago_make_room_for_the_next_one_before_that_is_whole) {
+  const Backup cut_off = make(), whole = make();
+  std::filesystem::remove(cut_off.folder / kBackupDescription);
+  const auto long_ago = std::filesystem::file_time_type::clock::now() - std::chrono::hours(48);
+  for (const auto& file : std::filesystem::directory_iterator(cut_off.folder)) std::filesystem::last_write_time(file.path(), long_ago);
+  std::filesystem::last_write_time(cut_off.folder, long_ago);
+  const auto stopped = make_backup(store->context(), administrator, folder / "backups", [](std::size_t, std::size_t) { return false; });
+  EXPECT_EQ(code_of(stopped), StorageError::stopped) << "as on a full disk: nobody thins then";
+  EXPECT_FALSE(is_there(cut_off));
+  EXPECT_TRUE(is_there(whole));
 }
 
 TEST_F(OldBackups, in_a_folder_that_the_system_cannot_reach_are_not_reported_as_none) {
