@@ -75,6 +75,11 @@ std::filesystem::path station_key_file(const std::filesystem::path& database) {
   return !std::filesystem::exists(own, ignored) && std::filesystem::exists(linked, ignored) ? linked : own;
 }
 
+std::optional<Uuid> station_beside(const std::filesystem::path& database) {
+  const auto counter = read_counter(counter_file_of(station_key_file(database)));
+  return counter && *counter ? std::optional((*counter)->station) : std::nullopt;
+}
+
 Store::Store(StorageContext context)
     : context_{std::move(context)},
       audit{context_},

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "storage/cache/key_state_cache.h"
 #include "storage/records/context.h"
@@ -26,6 +27,9 @@ namespace cusp::storage {
 
 /// The station's secret key of a database: beside the file itself, or beside the link that leads to it if the key lies there alone.
 std::filesystem::path station_key_file(const std::filesystem::path& database);
+
+/// Whose records stand at the name, from the counter beside their key, which can be read where they cannot. nullopt: nothing names it.
+std::optional<Uuid> station_beside(const std::filesystem::path& database);
 
 struct StoreOptions {
   DatabaseOptions database{};

@@ -3,7 +3,9 @@
 #include <QBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 
+#include "storage/store.h"
 #include "ui/admin/backups_table.h"
 #include "ui/admin/on_window.h"
 #include "ui/widgets/busy.h"
@@ -11,8 +13,15 @@
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
+namespace {
+
+/// Several stations may share a folder. False where nothing names this one.
+bool is_of_another(const Backup& backup, const std::optional<Uuid>& station) { return station && backup.station != *station; }
+
+}  // namespace
+
 WayBack::WayBack(std::filesystem::path database, std::filesystem::path backups, const Message& why, const Ports& ports, QWidget* parent)
-    : QWidget(parent), database_(std::move(database)), ports_(ports) {
+    : QWidget(parent), database_(std::move(database)), station_(station_beside(database_)), ports_(ports) {
   setAccessibleName(tr("Go back to a backup"));
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
@@ -58,7 +67,9 @@ void WayBack::look_into(const std::filesystem::path& folder) {
   } else if (all->empty()) {
     found_->setText(tr("There is no backup in %1.").arg(name));
   } else {
+    const auto others = std::ranges::stable_partition(*all, [this](const Backup& one) { return !is_of_another(one, station_); });
     found_->setText(tr("%n backup(s) in %1.", nullptr, static_cast<int>(all->size())).arg(name));
+    if (!others.empty()) found_->setText(found_->text() + u' ' + tr("Those of other stations stand last."));
   }
   table_->show_backups(all ? std::move(*all) : std::vector<Backup>{});
   table_->choose_row(0);
@@ -77,7 +88,8 @@ void WayBack::go_back() {
   const auto backup = table_->chosen();
   if (!backup || busy_->isVisible()) return;
   const Question question{.what = tr("Go back to the backup of %1?").arg(format_day_time(local_time(backup->made_utc_us))),
-                          .more = tr("It holds %n session(s). No other Cusp may run with these records.", nullptr, static_cast<int>(backup->sessions)),
+                          .more = (is_of_another(*backup, station_) ? tr("It is of another station, whose records take the place of these.") + u' ' : QString()) +
+                                  tr("It holds %n session(s). No other Cusp may run with these records.", nullptr, static_cast<int>(backup->sessions)),
                           .act = tr("Go back")};
   ports_.ask(this, question, [this, chosen = *backup](bool yes) {
     if (yes) begin(chosen);

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 #include <filesystem>
+#include <optional>
 
 #include "storage/backup/backup.h"
 #include "ui/admin/backup_work.h"
@@ -39,12 +40,14 @@ class WayBack : public QWidget {
   void went_back(const Message& done);
 
  private:
+  /// Shows its backups: those of this station first, each part newest first.
   void look_into(const std::filesystem::path& folder);
   void begin(const Backup& backup);
   void show_went_back(const Stored<WentBack>& done);
   void enable(bool on);
 
   std::filesystem::path database_;
+  std::optional<Uuid> station_;  // of the damaged records; nullopt: nothing names it
   const Ports& ports_;
   BackgroundTask task_;
   Band* band_;

@@ -18,6 +18,7 @@
 #include "ui/app/shell.h"
 #include "ui/signin/sign_in.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/table.h"
 
 namespace cusp::test {
 namespace {
@@ -132,6 +133,30 @@ TEST_F(DamagedRecords, stay_where_they_are_if_the_backup_is_damaged_too) {
   EXPECT_EQ(std::filesystem::file_size(file), 5000u);
   EXPECT_TRUE(std::filesystem::exists(file.string() + ".key"));
   for (const auto& entry : std::filesystem::directory_iterator(file.parent_path())) EXPECT_FALSE(entry.path().filename().string().starts_with("school.db-damaged-"));
+}
+
+TEST_F(DamagedRecords, are_offered_their_own_stations_backups_before_newer_ones_of_another) {
+  const std::filesystem::path into = folder.filePath(QStringLiteral("shared")).toStdString();
+  const auto own = make_backup(records.store().context(), records.administrator().actor(), into);
+  DeskRecords other(kMorning + 86'400'000'000);
+  const auto newer = make_backup(other.store().context(), std::nullopt, into);
+  ASSERT_TRUE(own && newer);
+  ASSERT_GT(newer->made_utc_us, own->made_utc_us);
+  const auto file = std::filesystem::path(folder.filePath(QStringLiteral("school.db")).toStdString());
+  ASSERT_TRUE(restore_backup(*own, file));
+  std::filesystem::resize_file(file, 5000);
+  EXPECT_EQ(station_beside(file), own->station);
+  QString asked;
+  Ports ports = Ports::of_the_system();
+  ports.ask = [&asked](QWidget*, const Question& question, const std::function<void(bool)>&) { asked = question.more; };
+  WayBack page(file, into, {QStringLiteral("Damaged"), {}}, ports);
+  page.show();
+  page.act()->click();
+  EXPECT_FALSE(asked.isEmpty());
+  EXPECT_FALSE(asked.contains(QStringLiteral("another station"))) << asked.toStdString();
+  page.findChild<Table*>()->choose_row(1);
+  page.act()->click();
+  EXPECT_TRUE(asked.contains(QStringLiteral("another station"))) << asked.toStdString();
 }
 
 TEST_F(DamagedRecords, that_can_be_read_in_part_are_read_and_offer_the_way_back) {
