@@ -7,11 +7,12 @@ namespace cusp::storage {
 Stored<Hash256> Blobs::put(std::span<const std::byte> bytes) {
   if (bytes.size() > kMostUnpackedBytes) return fail(StorageError::bad_value, "blobs");
   const Hash256 hash = blake2b_256(bytes);
-  const auto there = c_.db.first("SELECT 1 FROM blobs WHERE hash = ?1", [](Row) { return true; }, hash);
-  if (!there) return std::unexpected(there.error());
-  if (*there) return hash;
+  const auto there = get(hash);
+  if (there) return hash;
+  if (there.error().code != StorageError::not_found && there.error().code != StorageError::corrupt) return std::unexpected(there.error());
   Transaction transaction(c_.db);
-  transaction.run("INSERT INTO blobs (hash, packed) VALUES (?1, ?2) ON CONFLICT DO NOTHING", hash, pack(bytes));
+  // The hash names the content: a damaged row is put right, for every attempt at the exercise shares it.
+  transaction.run("INSERT INTO blobs (hash, packed) VALUES (?1, ?2) ON CONFLICT (hash) DO UPDATE SET packed = excluded.packed", hash, pack(bytes));
   if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
   return hash;
 }

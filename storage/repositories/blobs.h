@@ -12,7 +12,7 @@ namespace cusp::storage {
 class Blobs {
  public:
   explicit Blobs(StorageContext& context) : c_{context} {}
-  /// Stores the bytes unless they exist, and returns their BLAKE2b-256. bad_value above kMostUnpackedBytes.
+  /// Stores the bytes unless they exist whole, and returns their BLAKE2b-256. bad_value above kMostUnpackedBytes. Reads what exists.
   Stored<Hash256> put(std::span<const std::byte> bytes);
   /// not_found, or corrupt if the bytes no longer have this hash.
   Stored<std::vector<std::byte>> get(const Hash256& hash);
