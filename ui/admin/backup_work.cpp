@@ -4,17 +4,36 @@
 #include <utility>
 
 #include "storage/base/clock.h"
+#include "storage/base/locked_folder.h"
 #include "storage/store.h"
 #include "ui/session/records_task.h"
 
 namespace cusp::ui {
 namespace {
 
+/// Of this station in the folder. One that a wrong clock dated in the future says nothing of today.
+std::optional<Backup> newest_daily(const std::filesystem::path& into, const Uuid& station, std::int64_t now_utc_us) {
+  auto all = backups_in(into, station);
+  if (!all) return std::nullopt;
+  const auto newest = std::ranges::find_if(*all, [&](const Backup& one) { return one.kind == BackupKind::daily && one.made_utc_us <= now_utc_us; });
+  return newest == all->end() ? std::nullopt : std::optional(std::move(*newest));
+}
+
+bool is_of_today(const std::optional<Backup>& newest, std::int64_t now_utc_us) { return newest && now_utc_us - newest->made_utc_us < kBackupEveryUs; }
+
 Stored<BackedUp> back_up_and_thin(const RecordsBeside& records, const std::filesystem::path& into, const std::optional<Actor>& actor,
                                   const WorkWatch& watch) {
   const auto store = open_beside(records);
   if (!store) return std::unexpected(store.error());
-  auto backup = make_backup((*store)->context(), actor, into, watch);
+  StorageContext& context = (*store)->context();
+  // Of two programs that find the daily one due, the second waits, and takes that of the first: two a day would halve the days that are kept.
+  std::optional<LockedFolder> alone;
+  if (!actor) {
+    alone.emplace(into, FolderLock::alone);
+    const std::int64_t now = context.clock();
+    if (auto newest = newest_daily(into, context.station, now); is_of_today(newest, now)) return BackedUp{std::move(*newest), std::nullopt};
+  }
+  auto backup = make_backup(context, actor, into, watch);
   if (!backup) return std::unexpected(backup.error());
   BackedUp out{std::move(*backup), std::nullopt};
   if (auto thinned = thin_backups(into, out.backup.station, out.backup.kind, kBackupsKept, out.backup.made_utc_us); !thinned) out.not_removed = std::move(thinned.error());
@@ -68,11 +87,7 @@ BackgroundTask verify_log(RecordsBeside records, const Actor& actor, std::shared
 }
 
 bool backup_is_due(const std::filesystem::path& into, const Uuid& station, std::int64_t now_utc_us) {
-  const auto all = backups_in(into, station);
-  if (!all) return true;
-  // One that a wrong clock dated in the future says nothing of today.
-  const auto newest = std::ranges::find_if(*all, [&](const Backup& one) { return one.kind == BackupKind::daily && one.made_utc_us <= now_utc_us; });
-  return newest == all->end() || now_utc_us - newest->made_utc_us >= kBackupEveryUs;
+  return !is_of_today(newest_daily(into, station, now_utc_us), now_utc_us);
 }
 
 }  // namespace cusp::ui

@@ -25,7 +25,7 @@ struct BackedUp {
   std::optional<StorageFailure> not_removed;  // an old backup: where = its folder, detail = the system's reason
 };
 /// Makes a backup in `into` and removes the oldest of its kind beyond kBackupsKept. `then` is called on the task's thread.
-/// Without an actor it is the program's own daily one; without progress nothing stops it.
+/// Without an actor it is the program's own daily one, or that which another program has made meanwhile; without progress nothing stops it.
 BackgroundTask back_up(RecordsBeside records, std::filesystem::path into, std::optional<Actor> actor,
                        std::function<void(Stored<BackedUp>)> then, std::shared_ptr<WorkProgress> progress = {});
 struct WentBack {
