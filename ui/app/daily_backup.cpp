@@ -12,6 +12,7 @@
 #include "ui/admin/work_run.h"
 #include "ui/app/desktop.h"
 #include "ui/app/run_marker.h"
+#include "ui/app/shell.h"
 #include "ui/view/tooth_view.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/empty_state.h"
@@ -51,7 +52,10 @@ bool Desktop::keep_daily_backup() {
         qApp,
         [self, failure, made = made.has_value()] {
           if (!self) return;
+          // Each hour may fail: whoever has read of it reads it again at the next sign-in.
+          const bool unread = failure && !self->backup_failure_ && self->account_ && self->account_->role == Role::administrator;
           self->backup_failure_ = failure;
+          if (unread && self->shell_) self->shell_->show_outcome(Band::Kind::look, *failure, [] {});
           self->next_backup_ = made ? QDateTime() : self->ports_.now().addSecs(kBackupRetryS);
           self->backing_up_.reset();
           if (std::exchange(self->closes_after_backup_, false)) self->close();

@@ -61,6 +61,25 @@ TEST(DailyBackup, that_failed_under_a_clock_that_was_ahead_is_tried_again_once_t
   fail_and_try(Again::once_the_clock_is_set_back);
 }
 
+TEST(DailyBackup, that_failed_is_shown_at_once_to_an_administrator_who_is_signed_in) {
+  test::DeskRecords records;
+  const QTemporaryDir folder;
+  Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
+  QFile in_the_way(folder.filePath(QStringLiteral("backups")));
+  ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
+  settings.set_backup_folder(in_the_way.fileName());
+  Desktop desktop(settings, Ports::of_the_system(), records.file());
+  desktop.start();
+  desktop.show();
+  desktop.sign_in(records.administrator());
+  ASSERT_TRUE(desktop.keep_daily_backup());
+  const auto shows_failure = [&desktop] {
+    const auto labels = desktop.findChildren<QLabel*>();
+    return std::ranges::any_of(labels, [](const QLabel* label) { return label->text().contains(QStringLiteral("The daily backup failed.")); });
+  };
+  EXPECT_TRUE(QTest::qWaitFor(shows_failure, 60'000));
+}
+
 /// A desktop whose daily backup has begun. Its outcome reaches the window in a later turn of the event loop.
 struct ClosingOverDailyBackup : testing::Test {
   ClosingOverDailyBackup() {
