@@ -58,8 +58,9 @@ class EditorModel : public QObject {
   bool set_expected_time_s(double seconds);  // 0: not stated
   enum class OwnAssessment : std::uint8_t { not_asked, asked };
   bool set_own_assessment(OwnAssessment own);
-  /// A specimen brings its tissues; the critical ones among them (scenarios/tissues) are protected. New pulp brings the rule that
-  /// opening it fails the attempt. If the grown specimen shows pulp inside the target (an endodontic access), set_facts() removes
+  /// A specimen brings its tissues; the critical ones among them (scenarios/tissues) are protected, and a grown tooth's neighbours. New
+  /// pulp brings the rule that opening it fails the attempt, new neighbours that their damage does. What a tissue of a grown tooth had
+  /// before it went, within the reach of undo, comes back with it. If the grown specimen shows pulp inside the target (an endodontic access), set_facts() removes
   /// that rule within the same step.
   bool set_specimen(const SpecimenSource& source, const std::vector<ScenarioTissue>& tissues);
   /// Number, carious lesions, neighbours and seed of a grown tooth. New tissues get the usual figures, the others keep theirs. If

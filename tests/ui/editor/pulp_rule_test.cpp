@@ -6,6 +6,7 @@
 
 #include "scenarios/library/library.h"
 #include "scenarios/specimens/specimens.h"
+#include "scenarios/templates/templates.h"
 #include "tests/modules.h"
 #include "tests/ui/editor/class_one.h"
 #include "ui/editor/editor_model.h"
@@ -103,6 +104,74 @@ TEST(editor_model, neighbours_that_go_take_their_protection_along_and_the_last_o
   model.stack().undo();
   model.stack().undo();
   EXPECT_EQ(model.scenario(), start.draft);
+}
+
+/// One click in the form of the tooth.
+bool stand_round(EditorModel& model, const std::vector<std::string>& around) {
+  SpecimenSource tooth = model.scenario().specimen;
+  tooth.around = around;
+  model.end_gesture();
+  return model.set_tooth(tooth, QStringLiteral("around"));
+}
+
+TEST(editor_model, neighbours_that_come_back_are_protected_as_they_were) {
+  EditorStart start;
+  start.draft = load_builtin("class-2-46-mo").value();
+  start.draft.protected_parts[1].depth_mm = 0.1;
+  for (const bool ruled : {true, false}) {
+    if (!ruled) std::erase(start.draft.rubric.critical, "protected_damage");
+    EditorModel model(start);
+    const std::vector<std::string> around = start.draft.specimen.around;
+    ASSERT_TRUE(stand_round(model, {"gingiva"}));
+    ASSERT_EQ(model.scenario().protected_parts.size(), 1u);
+    ASSERT_TRUE(stand_round(model, around));
+    EXPECT_EQ(model.scenario().protected_parts, start.draft.protected_parts);
+    EXPECT_EQ(model.scenario().rubric, start.draft.rubric);
+    model.stack().undo();
+    EXPECT_EQ(model.scenario().protected_parts.size(), 1u);
+    model.stack().redo();
+    EXPECT_EQ(model.scenario().protected_parts, start.draft.protected_parts);
+  }
+}
+
+TEST(editor_model, a_plastic_tooth_that_is_natural_again_has_its_protection_and_its_rules) {
+  EditorStart start;
+  start.draft = load_builtin("class-2-46-mo").value();
+  start.draft.protected_parts[0].severity = Damage::touch;
+  EditorModel model(start);
+  SpecimenSource tooth = start.draft.specimen;
+  tooth.typodont = true;
+  ASSERT_TRUE(model.set_tooth(tooth, QStringLiteral("plastic")));
+  model.end_gesture();
+  ASSERT_TRUE(model.scenario().protected_parts.empty());
+  ASSERT_TRUE(model.set_tooth(start.draft.specimen, QStringLiteral("plastic")));
+  EXPECT_EQ(model.scenario().protected_parts, start.draft.protected_parts);
+  EXPECT_EQ(model.scenario().rubric.critical, start.draft.rubric.critical);
+}
+
+TEST(editor_model, neighbours_of_an_exercise_that_had_none_are_protected_as_in_a_new_exercise) {
+  const Scenario fresh = fit_template({.key = "class-2-adhesive", .fdi = 36, .id = ScenarioId::make()}).value();
+  EditorModel model(class_one());
+  ASSERT_TRUE(stand_round(model, {"neighbours"}));
+  EXPECT_EQ(model.scenario().protected_parts, fresh.protected_parts);
+  EXPECT_EQ(model.scenario().rubric.critical, (std::vector<std::string>{"pulp_exposure", "protected_damage"}));
+  model.stack().undo();
+  EXPECT_EQ(model.scenario(), class_one().draft);
+}
+
+TEST(editor_model, a_region_composed_with_a_neighbour_goes_with_it_and_comes_back) {
+  EditorStart start;
+  start.draft = load_builtin("class-2-46-mo").value();
+  Region grown;
+  grown.kind = RegionKind::offset;
+  grown.by_mm = 0.1;
+  grown.parts = {*start.draft.protected_parts[1].region};
+  start.draft.protected_parts[1] = Protected(grown);
+  EditorModel model(start);
+  ASSERT_TRUE(stand_round(model, {}));
+  EXPECT_EQ(model.scenario().protected_parts, std::vector<Protected>{Tissue::pulp});
+  ASSERT_TRUE(stand_round(model, start.draft.specimen.around));
+  EXPECT_EQ(model.scenario().protected_parts, start.draft.protected_parts);
 }
 
 TEST(editor_model, a_tooth_that_several_edits_brought_as_one_step_keeps_them_and_its_rule) {
