@@ -53,6 +53,8 @@ std::optional<double> stated_voxel_mm(double voxel_mm) noexcept;
 ///   bur_wider_than_target, corner_below_bur, leeway_below_voxel, point_off_floor, target_scores_less (an attempt that
 ///   meets the target loses points), weight_vanishes (a criterion brings no point that shows), language_missing, nothing_can_be_cut,
 ///   protected_twice (protected_removed counts it twice; detail: the tissue, or "region"),
+///   wall_of_other_side (a mesial or distal wall of the target stands on the other side of the tooth), sides_unknown (the target names
+///   them on a file without a number or mesial axis),
 ///   tooth_turned (by its landmarks: measures by side are not measurable), tooth_tilted (by its long axis); with a specimen: tissue_unused.
 std::vector<Finding> validate(const Scenario& scenario, const SpecimenFacts* specimen = nullptr);
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "scenarios/format/keys.h"
+#include "scenarios/format/landmark.h"
 #include "scenarios/format/ranges.h"
 
 namespace cusp::scenarios {
@@ -158,12 +160,60 @@ void RegionChecks::within(const Outline& t, const SpecimenFacts& f, const std::s
       }
 }
 
+/// 1 where mesial lies along x in the specimen's frame, -1 where distal does, 0 where nobody knows.
+int mesial_way(const SpecimenSource& specimen) {
+  const int fdi = specimen.generator.empty() ? specimen.landmarks.fdi : specimen.grown_fdi();
+  if (fdi == 0) return 0;
+  const double turn = specimen.generator.empty() ? turn_deg(specimen.landmarks).value_or(180.0) : 0.0;
+  if (std::abs(turn) > kMostTurnedDeg) return 0;
+  return fdi / 10 % 2 == 1 ? 1 : -1;
+}
+
+bool names_a_side(const Region& region) {
+  const auto is_side = [](const auto& face) { return face.second == FaceName::mesial_wall || face.second == FaceName::distal_wall; };
+  return std::ranges::any_of(region.faces, is_side) || std::ranges::any_of(region.parts, names_a_side);
+}
+
+/// How far the slot "x_high" of a leaf points along x: 1, -1, or 0 for a leaf that may face any side.
+double way_of_high(const Region& leaf) {
+  if (leaf.kind == RegionKind::outline) return 1.0;
+  if (leaf.kind != RegionKind::box) return 0.0;
+  const Vec3 x = leaf.x_axis, z = leaf.z_axis;
+  if (2 * x.x * x.x <= glm::dot(x, x) || 2 * z.z * z.z <= glm::dot(z, z)) return 0.0;
+  return x.x > 0 ? 1.0 : -1.0;
+}
+
+/// Pointer to a wall that stands on one side of the tooth and is named after the other; nullopt without one. The walls that a
+/// difference takes from its first part face the other way, and none is searched.
+std::optional<std::string> wall_of_other_side(const Region& region, int mesial, const std::string& where) {
+  for (const auto& [slot, face] : region.faces) {
+    const double named = face == FaceName::mesial_wall ? 1.0 : face == FaceName::distal_wall ? -1.0 : 0.0;
+    const double stands = slot == "x_high" ? way_of_high(region) : slot == "x_low" ? -way_of_high(region) : 0.0;
+    if (named * stands * mesial < 0.0) return where + "/faces/" + slot;
+  }
+  const std::size_t searched = region.kind == RegionKind::difference ? std::min<std::size_t>(1, region.parts.size()) : region.parts.size();
+  for (std::size_t i = 0; i < searched; ++i)
+    if (auto found = wall_of_other_side(region.parts[i], mesial, where + "/parts/" + std::to_string(i))) return found;
+  return std::nullopt;
+}
+
+/// Of a file without a number or mesial axis nobody can compare them.
+void check_sides(const Scenario& s, std::vector<Finding>& out) {
+  if (!names_a_side(s.target)) return;
+  const int way = mesial_way(s.specimen);
+  if (way == 0 && s.specimen.generator.empty() && !turn_deg(s.specimen.landmarks))
+    out.push_back({Severity::warning, "/specimen/landmarks", "sides_unknown", {}, {}});
+  if (const auto wall = wall_of_other_side(s.target, way, "/target"))
+    out.push_back({Severity::warning, *wall, "wall_of_other_side", {}, {}});
+}
+
 }  // namespace
 
 void check_target(const Scenario& scenario, const SpecimenFacts* specimen, std::vector<Finding>& out) {
   RegionChecks checks(scenario, specimen, out);
   checks.tree(scenario.target, "/target");
   if (!ends(scenario.target)) checks.error("/target", "target_endless");
+  check_sides(scenario, out);
   if (specimen != nullptr && scenario.target.kind == RegionKind::outline) checks.within(scenario.target.outline, *specimen, "/target");
   for (std::size_t i = 0; i < scenario.protected_parts.size(); ++i)
     if (const auto& region = scenario.protected_parts[i].region) checks.tree(*region, "/protected/" + std::to_string(i) + "/region");

@@ -57,4 +57,9 @@ int mesial_x_of(const SpecimenLandmarks& landmarks) noexcept {
   return along > 0.0 && std::fabs(way.y) <= kMostTurnedTangent * along ? out : 0;
 }
 
+int sided_fdi(const SpecimenSource& specimen) noexcept {
+  if (!specimen.generator.empty()) return specimen.grown_fdi();
+  return mesial_x_of(specimen.landmarks) == 0 ? 0 : specimen.landmarks.fdi;
+}
+
 }  // namespace cusp::scenarios

@@ -141,6 +141,12 @@ QString target_message(const Finding& f, const Region* whole, double value, doub
   if (c == u"leeway_below_voxel") {
     return CheckText::tr("The tolerance zone of %1 is finer than the tooth is known (%2).").arg(mm(value), mm(limit));
   }
+  if (c == u"wall_of_other_side") {
+    return CheckText::tr("A mesial or distal wall of the target stands on the other side of this tooth. Draw the target anew, or choose the tooth’s right number.");
+  }
+  if (c == u"sides_unknown") {
+    return CheckText::tr("The target names mesial and distal walls, and the file does not state where mesial lies. Choose the tooth’s number and propose landmarks.");
+  }
   if (c == u"point_off_floor") return CheckText::tr("A point of the target does not lie on its floor.");
   if (c == u"target_scores_less") {
     return CheckText::tr("An attempt that meets the target exactly loses %1 points for %2.")

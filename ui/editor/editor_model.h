@@ -60,16 +60,17 @@ class EditorModel : public QObject {
   bool set_own_assessment(OwnAssessment own);
   /// A specimen brings its tissues; the critical ones among them (scenarios/tissues) are protected, and a grown tooth's neighbours. New
   /// pulp brings the rule that opening it fails the attempt, new neighbours that their damage does. What a tissue of a grown tooth had
-  /// before it went, within the reach of undo, comes back with it. If the grown specimen shows pulp inside the target (an endodontic access), set_facts() removes
-  /// that rule within the same step.
+  /// before it went, within the reach of undo, comes back with it. If the grown specimen shows pulp inside the target (an endodontic
+  /// access), set_facts() removes that rule within the same step. If mesial lies on the other side of the new tooth, target and
+  /// protected regions are mirrored (tooth_side.h).
   bool set_specimen(const SpecimenSource& source, const std::vector<ScenarioTissue>& tissues);
-  /// Number, carious lesions, neighbours and seed of a grown tooth. New tissues get the usual figures, the others keep theirs. If
-  /// mesial lies on the other side of the new tooth, target and protected regions are mirrored. `field` as in set_part.
+  /// Number, carious lesions, neighbours and seed of a grown tooth. New tissues get the usual figures, the others keep theirs; sides as
+  /// in set_specimen. `field` as in set_part.
   bool set_tooth(const SpecimenSource& source, const QString& field);
   /// Landmarks of a tooth from a file. Of a grown one they are empty, and each edit of them returns false.
   bool takes_landmarks() const { return scenario_.specimen.generator.empty(); }
   const SpecimenLandmarks& landmarks() const { return scenario_.specimen.landmarks; }
-  /// Those of `proposed`; the ones that are set stay if the tooth's number does.
+  /// Those of `proposed`; the ones that are set stay if the tooth's number does. The number may put mesial on the other side: tooth_side.h.
   bool take_proposed(const SpecimenLandmarks& proposed);
   /// The landmark is set then. False for a place beside the tooth (landmark_outside of validate.h).
   bool move_landmark(MarkPoint at, Vec3 mm);

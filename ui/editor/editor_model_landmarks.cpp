@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "ui/editor/editor_model.h"
+#include "ui/editor/tooth_side.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
@@ -47,7 +48,10 @@ void EditorModel::choose_landmark(MarkPoint at) {
 bool EditorModel::edit_landmarks(const QString& text, const std::function<void(SpecimenLandmarks&)>& change) {
   if (!takes_landmarks()) return false;
   end_gesture();
-  const bool taken = edit(text, u"landmarks"_qs, [&](Scenario& s) { change(s.specimen.landmarks); });
+  const bool taken = edit(text, u"landmarks"_qs, [&](Scenario& s) {
+    change(s.specimen.landmarks);
+    keep_sides(s, drawn_on(scenario_, stack_));
+  });
   end_gesture();
   return taken;
 }

@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "scenarios/specimens/specimens.h"
-#include "scenarios/teeth/landmarks.h"
 #include "scenarios/teeth/own_tissues.h"
 #include "scenarios/templates/scope.h"
 #include "scenarios/tissues/tissue_facts.h"
 #include "ui/editor/commands.h"
 #include "ui/editor/editor_model.h"
 #include "ui/editor/specimen_grower.h"
+#include "ui/editor/tooth_side.h"
 #include "ui/modules.h"
 #include "ui/widgets/format.h"
 
@@ -81,14 +81,12 @@ const Scenario* last_with(const QUndoStack& stack, Tissue tissue) {
   return nullptr;
 }
 
-bool other_side(int fdi, int other_fdi) { return mesial_x(fdi) * mesial_x(other_fdi) < 0; }
-
 /// A tissue that a grown tooth did not have: protected as it was in `then`, else as in a new exercise.
 void protect_new(Scenario& s, Tissue tissue, const Scenario* then) {
   std::vector<Protected> parts = then == nullptr ? usual_protection(tissue) : then->protected_parts;
   std::erase_if(parts, [&](const Protected& part) { return !guards(part, tissue) || lacks_tissue(part, s.tissues); });
   for (Protected& part : parts) {
-    if (then != nullptr && part.region && other_side(then->specimen.grown_fdi(), s.specimen.grown_fdi())) mirror_x(*part.region);
+    if (then != nullptr && part.region && is_other_side(then->specimen.grown_fdi(), s.specimen.grown_fdi())) mirror_x(*part.region);
     if (std::ranges::find(s.protected_parts, part) == s.protected_parts.end()) s.protected_parts.push_back(std::move(part));
   }
   const bool ruled = !parts.empty() && (then == nullptr || has_rule(*then, "protected_damage"));
@@ -113,14 +111,6 @@ void guard(Scenario& s, const std::vector<ScenarioTissue>& before, const QUndoSt
   }
 }
 
-/// The halves of a jaw mirror each other: on the other side a mesial box stays mesial, and its walls keep their names.
-void keep_sides(Scenario& s, int fdi_before) {
-  if (!other_side(fdi_before, s.specimen.grown_fdi())) return;
-  mirror_x(s.target);
-  for (Protected& one : s.protected_parts)
-    if (one.region) mirror_x(*one.region);
-}
-
 }  // namespace
 
 bool EditorModel::set_specimen(const SpecimenSource& source, const std::vector<ScenarioTissue>& tissues) {
@@ -128,6 +118,7 @@ bool EditorModel::set_specimen(const SpecimenSource& source, const std::vector<S
   return edit(tr("Tooth"), u"specimen"_qs, [&](Scenario& s) {
     s.specimen = source;
     clean(s.specimen);
+    keep_sides(s, drawn_on(scenario_, stack_));
     const std::vector<ScenarioTissue> before = std::exchange(s.tissues, tissues);
     guard(s, before, stack_);
   });
@@ -135,10 +126,9 @@ bool EditorModel::set_specimen(const SpecimenSource& source, const std::vector<S
 
 bool EditorModel::set_tooth(const SpecimenSource& source, const QString& field) {
   return edit(tr("Tooth"), u"tooth/"_qs + field, [&](Scenario& s) {
-    const int fdi_before = s.specimen.grown_fdi();
     s.specimen = source;
     clean(s.specimen);
-    keep_sides(s, fdi_before);
+    keep_sides(s, drawn_on(scenario_, stack_));
     std::vector<ScenarioTissue> tissues = usual_tissues(tissues_of(s.specimen));
     for (ScenarioTissue& t : tissues) {
       const auto kept = std::ranges::find(s.tissues, t.tissue, &ScenarioTissue::tissue);

@@ -113,5 +113,58 @@ TEST(LandmarkFormat, ValidateFindsATurnedToothAndALandmarkBesideIt) {
   EXPECT_TRUE(validate(s).empty()) << "without a specimen nobody knows";
 }
 
+/// The marked scenario, its channel's wall at high x called mesial.
+Scenario with_mesial_wall(int fdi, Vec3 way) {
+  Scenario s = marked_scenario();
+  s.target.faces["x_high"] = FaceName::mesial_wall;
+  s.specimen.landmarks = with_mesial(fdi, way);
+  return s;
+}
+
+std::vector<std::string> codes_of(const Scenario& s) {
+  std::vector<std::string> out;
+  for (const Finding& f : validate(s)) out.push_back(f.code);
+  return out;
+}
+
+TEST(LandmarkFormat, ValidateFindsAMesialWallOnTheDistalSide) {
+  using Codes = std::vector<std::string>;
+  EXPECT_EQ(codes_of(with_mesial_wall(36, {1, 0, 0})), Codes{});
+  EXPECT_EQ(codes_of(with_mesial_wall(46, {-1, 0, 0})), Codes{"wall_of_other_side"});
+  EXPECT_EQ(validate(with_mesial_wall(46, {-1, 0, 0})).front().path, "/target/faces/x_high");
+  EXPECT_EQ(codes_of(with_mesial_wall(36, {0, 1, 0})), Codes{"tooth_turned"}) << "nobody knows its side";
+  EXPECT_EQ(codes_of(with_mesial_wall(0, {1, 0, 0})), Codes{"sides_unknown"});
+  EXPECT_EQ(codes_of(marked_scenario()), Codes{}) << "no wall has a side";
+  Scenario grown = with_mesial_wall(0, {1, 0, 0});
+  grown.specimen = {};
+  grown.specimen.generator = "tooth";
+  grown.specimen.fdi = 46;
+  EXPECT_EQ(codes_of(grown), Codes{"wall_of_other_side"});
+  grown.specimen.fdi = 36;
+  EXPECT_EQ(codes_of(grown), Codes{});
+}
+
+TEST(LandmarkFormat, ValidateComparesTheSidesOfABoxByItsOwnAxisAndOfADifferenceByItsFirstPart) {
+  Scenario s = with_mesial_wall(36, {1, 0, 0});
+  Region box;
+  box.kind = RegionKind::box;
+  box.from_mm = {0, 0, -1};
+  box.size_mm = {4, 2, 2};
+  box.x_axis = {-1, 0, 0};
+  box.faces["x_low"] = FaceName::mesial_wall;
+  s.target = box;
+  EXPECT_EQ(codes_of(s), std::vector<std::string>{});
+  s.target.x_axis = {1, 0, 0};
+  EXPECT_EQ(codes_of(s), std::vector<std::string>{"wall_of_other_side"});
+  s.target.x_axis = {0, 1, 0};
+  EXPECT_EQ(codes_of(s), std::vector<std::string>{}) << "it faces neither side";
+  Region difference;
+  difference.kind = RegionKind::difference;
+  difference.parts = {with_mesial_wall(36, {1, 0, 0}).target, box};
+  difference.parts[1].x_axis = {1, 0, 0};
+  s.target = difference;
+  EXPECT_EQ(codes_of(s), std::vector<std::string>{}) << "what is taken away bounds the cavity from the other side";
+}
+
 }  // namespace
 }  // namespace cusp::test

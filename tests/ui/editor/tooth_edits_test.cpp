@@ -1,7 +1,9 @@
 // Edits of the draft's tooth without a window: its carious lesions and neighbours, and what another tooth brings.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "scenarios/library/library.h"
 #include "scenarios/templates/templates.h"
@@ -77,6 +79,81 @@ TEST(editor_tooth, a_mesial_box_stays_mesial_on_the_tooth_of_the_other_side) {
   EXPECT_EQ(model.scenario().target, of_36->target);
   for (int i = 0; i < 3; ++i) model.stack().undo();
   EXPECT_EQ(model.scenario(), start.draft);
+}
+
+/// Landmarks of a tooth of that number which lies as its frame wants it.
+SpecimenLandmarks lying_right(int fdi) {
+  SpecimenLandmarks out;
+  out.fdi = fdi;
+  out.marks = {{MarkKind::mesial_axis, {}, {Vec3(0.0), Vec3(fdi / 10 % 2 == 1 ? 5.0 : -5.0, 0, 0)}, MarkState::proposed}};
+  return out;
+}
+
+/// A class II, moved from the grown 36 to a file without a number.
+struct ClassTwoOnAFile : ::testing::Test {
+  void SetUp() override {
+    SpecimenSource file;
+    file.volume = "tooth.nrrd";
+    file.voxel_mm = of_36.specimen.voxel_mm;
+    ASSERT_TRUE(model.set_specimen(file, of_36.tissues));
+    ASSERT_EQ(model.scenario().target, of_36.target) << "no side is known yet";
+  }
+  static EditorStart start(const Scenario& draft) {
+    EditorStart out;
+    out.draft = draft;
+    return out;
+  }
+  bool finds(std::string_view code) const { return std::ranges::find(model.findings(), code, &Finding::code) != model.findings().end(); }
+  const Scenario of_36 = fit_template({.key = "class-2-adhesive", .fdi = 36, .id = ScenarioId::make()}).value();
+  const Scenario of_46 = fit_template({.key = "class-2-adhesive", .fdi = 46, .id = of_36.id}).value();
+  EditorModel model{start(of_36)};
+};
+
+TEST_F(ClassTwoOnAFile, stays_mesial_when_the_number_puts_the_file_on_the_other_side) {
+  EXPECT_TRUE(finds("sides_unknown"));
+  ASSERT_TRUE(model.take_proposed(lying_right(46)));
+  EXPECT_EQ(model.scenario().target, of_46.target);
+  EXPECT_FALSE(finds("sides_unknown") || finds("wall_of_other_side"));
+  model.stack().undo();
+  EXPECT_EQ(model.scenario().target, of_36.target);
+  ASSERT_TRUE(model.take_proposed(lying_right(35)));
+  EXPECT_EQ(model.scenario().target, of_36.target) << "mesial lies on the same side";
+}
+
+TEST_F(ClassTwoOnAFile, that_was_drawn_anew_there_stays_where_it_is_and_a_check_names_the_wall) {
+  Region moved = model.chosen();
+  moved.outline.width_mm += 0.1;
+  ASSERT_TRUE(model.set_part(moved, QStringLiteral("part")));
+  const Region drawn = model.scenario().target;
+  ASSERT_TRUE(model.take_proposed(lying_right(46)));
+  EXPECT_EQ(model.scenario().target, drawn);
+  EXPECT_TRUE(finds("wall_of_other_side"));
+}
+
+TEST_F(ClassTwoOnAFile, keeps_its_place_and_changes_its_names_when_a_wrong_number_is_corrected) {
+  ASSERT_TRUE(model.take_proposed(lying_right(36)));
+  ASSERT_TRUE(model.take_proposed(lying_right(46)));
+  const Region& target = model.scenario().target;
+  EXPECT_NE(target, of_36.target);
+  EXPECT_NE(target, of_46.target);
+  EXPECT_FALSE(finds("wall_of_other_side"));
+  ASSERT_TRUE(model.take_proposed(lying_right(36)));
+  EXPECT_EQ(model.scenario().target, of_36.target) << "names changed over twice";
+}
+
+TEST(editor_tooth, a_target_that_stood_on_a_block_in_between_is_still_of_its_side) {
+  const ScenarioId id = ScenarioId::make();
+  const auto of_36 = fit_template({.key = "class-2-adhesive", .fdi = 36, .id = id}), of_46 = fit_template({.key = "class-2-adhesive", .fdi = 46, .id = id});
+  ASSERT_TRUE(of_36 && of_46);
+  EditorStart start;
+  start.draft = *of_36;
+  EditorModel model(start);
+  SpecimenSource block;
+  block.generator = "block";
+  block.voxel_mm = 0.1;
+  ASSERT_TRUE(model.set_specimen(block, of_36->tissues));
+  ASSERT_TRUE(model.set_specimen(of_46->specimen, of_46->tissues));
+  EXPECT_EQ(model.scenario().target, of_46->target);
 }
 
 TEST(editor_tooth, a_protected_region_is_mirrored_with_the_tooth) {
