@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 
+#include "scenarios/landmarks/landmarks.h"
 #include "scenarios/teeth/landmarks.h"
 #include "ui/drill/cut_slider.h"
 #include "ui/drill/hand_ghost.h"
@@ -174,7 +175,7 @@ void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, 
   burs_ = scenario.instruments;
   by_mouse_ = setup.by_mouse;
   is_tooth_ = setup.is_tooth;
-  mesial_x_ = scenario.specimen.generator == "tooth" ? mesial_x(scenario.specimen.fdi) : 1;
+  mesial_x_ = mesial_x(sided_fdi(scenario.specimen));
   wide_ = glm::length(glm::dvec2(bounds.high - bounds.low)) > kLidMm;
   const double depth = required_depth_mm();
   scale_depth(0);
@@ -189,7 +190,7 @@ void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, 
   cutaway_->setVisible(guided_);  // a section shows where the pulp lies
   view_->set_camera(Camera::about(setup.start_view.centre_mm, setup.start_view.radius_mm));
   target_->setVisible(!look.empty());
-  compass_->set_tooth(scenario.specimen.grown_fdi());
+  compass_->set_tooth(sided_fdi(scenario.specimen));
   coach_card_->hide();
   wanted_push_->setVisible(by_mouse_);
   hold_->setVisible(by_mouse_);

@@ -136,7 +136,7 @@ class DrillStage : public QWidget {
   LiveView live_;
   CoachLine shown_, spoken_;  // on the screen; last announced to a screen reader
   bool by_mouse_ = false, is_tooth_ = false, asking_ = false, undrawn_ = false, handle_gone_ = false;
-  int mesial_x_ = 1;  // of the tooth
+  int mesial_x_ = 0;  // of the tooth; 0 where no side is known
   bool guided_ = true;  // no assessment
   bool wide_ = false;  // the specimen is more than one tooth
   int preset_ = 0;

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "scenarios/landmarks/landmarks.h"
 #include "scenarios/metrics/several_targets.h"
 #include "ui/drill/handpiece_panel.h"
 #include "ui/drill/section_view.h"
@@ -249,7 +250,7 @@ void ScorePanel::fold_bars(QGridLayout& grid, const BarRow& row) const {
 }
 
 void ScorePanel::set_exercise(const Scenario& scenario, const Has& has) {
-  const int fdi = scenario.specimen.grown_fdi();
+  const int fdi = sided_fdi(scenario.specimen);
   const bool sided = is_tooth_number(fdi);  // of another specimen no side is known
   section_aside_->setText(!sided ? tr("across") : fdi < 30 ? tr("buccal–palatal") : tr("buccal–lingual"));
   if (sided) section_->set_sides(tooth_sides(fdi)[2].letter, tooth_sides(fdi)[3].letter);

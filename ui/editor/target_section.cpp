@@ -3,6 +3,7 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "scenarios/landmarks/landmarks.h"
 #include "ui/editor/target_view.h"
 #include "ui/view/section_bar.h"
 #include "ui/view/tooth_view.h"
@@ -37,8 +38,7 @@ void TargetView::make_section(QPushButton& button) {
 /// What the section goes through: the tooth as the view shows it, with the target as it is now.
 void TargetView::cut_section() {
   if (!grown_ || !preview_) return;
-  const SpecimenSource& source = grown_->source;
-  section_->set_tooth(source.grown_fdi());
+  section_->set_tooth(sided_fdi(model_.scenario().specimen));
   section_->show_cut({.volume = preview_,
                       .target = model_.scenario().target,
                       .leeway = model_.scenario().leeway,

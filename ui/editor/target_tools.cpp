@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <array>
 
+#include "scenarios/landmarks/landmarks.h"
 #include "scenarios/teeth/landmarks.h"
 #include "ui/editor/handle_knob.h"
 #include "ui/editor/target_view.h"
@@ -57,8 +58,8 @@ void TargetView::make_tools() {
   }
   connect(turn, &QPushButton::clicked, this, [this] {
     Camera camera = view_->camera();
-    const SpecimenSource& tooth = model_.scenario().specimen;
-    camera.set_preset(kTurns[static_cast<std::size_t>(preset_++) % kTurns.size()], tooth.generator == "tooth" ? mesial_x(tooth.fdi) : 1);
+    const int fdi = sided_fdi(model_.scenario().specimen);
+    camera.set_preset(kTurns[static_cast<std::size_t>(preset_++) % kTurns.size()], mesial_x(fdi));
     view_->set_camera(camera);
   });
   connect(above, &QPushButton::clicked, this, [this] {

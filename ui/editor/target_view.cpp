@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "scenarios/landmarks/landmarks.h"
 #include "ui/editor/depth_arrow.h"
 #include "ui/editor/handle_knob.h"
 #include "ui/editor/landmark_handles.h"
@@ -131,6 +132,7 @@ void TargetView::follow_model() {
     run_next();
     cut_section();
   }
+  section_->set_tooth(sided_fdi(s.specimen));
   follow_landmarks();
   place_all();
 }

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 
+#include "scenarios/landmarks/landmarks.h"
 #include "scenarios/shapes/target.h"
 #include "scenarios/teeth/landmarks.h"
 #include "ui/replay/playback_bar.h"
@@ -45,7 +46,7 @@ ReferencePage::ReferencePage(std::shared_ptr<ToothCache> teeth, const ToothWish&
   setProperty("kind", u"page"_qs);
   setAttribute(Qt::WA_StyledBackground);
   setAccessibleName(tr("Ideal preparation"));
-  if (wish.scenario.specimen.generator == "tooth") mesial_x_ = mesial_x(wish.scenario.specimen.fdi);
+  mesial_x_ = mesial_x(sided_fdi(wish.scenario.specimen));
   setFocusPolicy(Qt::StrongFocus);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

@@ -64,7 +64,7 @@ class ReferencePage : public QWidget {
   QTimer timer_;
   QElapsedTimer since_;  // the last look
   int shown_ = 0;
-  int mesial_x_ = 1;  // of the tooth
+  int mesial_x_ = 0;  // of the tooth; 0 where no side is known
   double expected_time_s_ = 0;
   double tool_tilt_deg_ = 0;
 };

@@ -14,6 +14,7 @@
 #include <mutex>
 #include <utility>
 
+#include "scenarios/landmarks/landmarks.h"
 #include "scenarios/metrics/evidence_patch.h"
 #include "ui/render/target_look.h"
 #include "ui/view/compass.h"
@@ -161,7 +162,7 @@ PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& s
   }
   connect(view_, &ToothView::camera_changed, this, &PinnedTooth::place_pin);
   compass_ = new Compass(*view_, this);
-  compass_->set_tooth(scenario.specimen.grown_fdi());
+  compass_->set_tooth(sided_fdi(scenario.specimen));
 }
 
 void PinnedTooth::build_mesh(const Scenario& scenario) {

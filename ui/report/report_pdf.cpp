@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scenarios/landmarks/landmarks.h"
 #include "ui/report/criteria_model.h"
 #include "ui/widgets/paper.h"
 #include "ui/report/paper_closeups.h"
@@ -27,8 +28,7 @@ struct PdfText {
 
 // Pixels of the screen at 100 %; `unit` of the paper to each.
 constexpr double kToothHigh = 300, kToothLeast = 130;  // of the picture: usual, and beside the legend where a table is long
-constexpr double kToothRatio = 1.35;                    // how much wider than high it is
-constexpr double kRow = 18;                             // a line of the table
+constexpr double kToothRatio = 1.35, kRow = 18;         // how much wider than high it is; a line of the table
 constexpr double kAboveFoot = 14, kFootType = 8.5;      // between the advice and the foot; size of its type
 constexpr int kFootFlags = static_cast<int>(Qt::AlignLeft | Qt::AlignBottom) | Qt::TextWordWrap;
 constexpr double kBelowTooth = 14;                      // between the picture and the table
@@ -357,7 +357,7 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
   write_score(paper, data, t);
   std::vector<PaperAdvice> advice = advice_on_paper(data, tooth);
   const double high = fit_to_page(paper, data, advice, t);
-  write_tooth(paper, tooth, advice, high, data.result.scenario.specimen.grown_fdi(), t);
+  write_tooth(paper, tooth, advice, high, sided_fdi(data.result.scenario.specimen), t);
   write_legend(paper, high, t);
   paper.skip(high + kBelowTooth);
   int sheet = 1;

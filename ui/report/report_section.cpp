@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "scenarios/landmarks/landmarks.h"
 #include "scenarios/operators/fast_cut.h"
 #include "ui/report/pinned_tooth.h"
 #include "ui/view/section_bar.h"
@@ -54,7 +55,7 @@ ReportSection::ReportSection(PinnedTooth& tooth, std::shared_ptr<const Volume> v
   legend->addStretch();
   column->addLayout(legend);
   reference_line_->hide();
-  bar_->set_tooth(scenario.specimen.grown_fdi());
+  bar_->set_tooth(sided_fdi(scenario.specimen));
   connect(&tooth_, &PinnedTooth::scenery_came, this, &ReportSection::show_cut);
   connect(bar_, &SectionBar::moved, this, &ReportSection::follow_plane);
   show_cut();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scenarios/landmarks/landmarks.h"
 #include "scenarios/teeth/landmarks.h"
 #include "ui/modules.h"
 #include "ui/text/grade_text.h"
@@ -74,11 +75,14 @@ QString critical_advice(const std::string& key) {
 }
 
 QString side_text(const SpecimenSource& specimen, Vec3 place_mm) {
-  const int toward_mesial = mesial_x(specimen.grown_fdi());
-  if (toward_mesial == 0) return {};
-  const double mesial = toward_mesial * place_mm.x, buccal = place_mm.y;
+  const int fdi = sided_fdi(specimen);
+  if (fdi == 0) return {};
+  // A grown tooth stands about the frame's z, a tooth of a file where its mesial axis begins.
+  const Landmark* axis = specimen.landmarks.find(MarkKind::mesial_axis);
+  if (axis != nullptr) place_mm -= axis->points_mm.front();
+  const double mesial = mesial_x(fdi) * place_mm.x, buccal = place_mm.y;
   if (std::hypot(mesial, buccal) < kMiddleMm) return {};
-  const bool upper = specimen.fdi < 30;
+  const bool upper = fdi < 30;
   if (std::abs(mesial) > kMostOblique * std::abs(buccal)) return mesial > 0 ? Text::tr("mesial") : Text::tr("distal");
   if (std::abs(buccal) > kMostOblique * std::abs(mesial)) {
     return buccal > 0 ? Text::tr("buccal") : upper ? Text::tr("palatal") : Text::tr("lingual");

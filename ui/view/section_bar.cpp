@@ -220,7 +220,7 @@ void SectionBar::go_through(Vec3 mm) {
 void SectionBar::face() {
   if (!open_) return;
   Camera camera = view_.camera();
-  camera.set_preset(way_ == Way::mesiodistal ? PresetView::buccal : PresetView::distal);
+  camera.set_preset(way_ == Way::mesiodistal ? PresetView::buccal : PresetView::distal, mesial_x(fdi_));
   camera.set_angles(camera.yaw(), kPitch);
   camera.set_centre(middle_mm_);
   view_.set_camera(camera);
