@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -21,6 +22,10 @@ using Json = nlohmann::json;
 using Error = BurTableError;
 
 constexpr std::string_view kUnverified = "M", kOther = "other";
+/// Two diameters nearer than this are one, mm: an edited one is a double of the number that was typed.
+constexpr double kSameMm = 1e-6;
+
+bool is_alike(const Bur& a, const Bur& b) { return a.head == b.head && std::abs(a.radius_mm - b.radius_mm) < kSameMm; }
 
 /// Walks the file; keeps the first failure.
 class TableReader {
@@ -206,6 +211,17 @@ const CatalogueBur* catalogue_bur(std::string_view number) {
   for (const CatalogueBur& one : bur_catalogue())
     if (one.bur.name == number || (!one.also.empty() && one.also == number)) return &one;
   return nullptr;
+}
+
+const CatalogueBur* catalogue_bur_like(const Bur& bur) {
+  for (const CatalogueBur& one : bur_catalogue())
+    if (is_alike(one.bur, bur)) return &one;
+  return nullptr;
+}
+
+bool fits_its_number(const Bur& bur) {
+  const CatalogueBur* one = catalogue_bur(bur.name);
+  return one == nullptr || is_alike(one->bur, bur);
 }
 
 std::string_view shape_of(const Bur& bur) {

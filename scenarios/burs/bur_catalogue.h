@@ -48,6 +48,12 @@ const std::vector<CatalogueBur>& bur_catalogue();
 /// By number, its other one too; nullptr when there is none.
 const CatalogueBur* catalogue_bur(std::string_view number);
 
+/// The catalogue's bur with that head and diameter, whatever its neck; nullptr without one.
+const CatalogueBur* catalogue_bur_like(const Bur& bur);
+
+/// False if its name is a number of the catalogue and its head or diameter is not that number's.
+bool fits_its_number(const Bur& bur);
+
 /// Key of its shape: the catalogue's for a head from there, "round" for a ball of any size, else "other".
 std::string_view shape_of(const Bur& bur);
 

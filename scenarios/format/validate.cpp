@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scenarios/burs/bur_catalogue.h"
 #include "scenarios/format/json_text.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/format/migrate.h"
@@ -141,6 +142,10 @@ class Checks {
     if (s_.instruments.empty()) error("/instruments", "no_instrument");
     for (std::size_t i = 0; i < s_.instruments.size(); ++i) {
       const Bur& bur = s_.instruments[i];
+      if (!fits_its_number(bur)) {
+        warn(at("/instruments", i, "/name"), "bur_not_of_number",
+             {{"value", 2 * bur.radius_mm}, {"limit", 2 * catalogue_bur(bur.name)->bur.radius_mm}}, bur.name);
+      }
       const double least = kLeastRadiusVoxels * s_.specimen.voxel_mm;
       if (below(bur.radius_mm, least)) {
         warn(at("/instruments", i, "/radius_mm"), "bur_small", {{"value", bur.radius_mm}, {"limit", least}},

@@ -49,7 +49,7 @@ std::optional<double> stated_voxel_mm(double voxel_mm) noexcept;
 ///   the exercise and occur in the specimen), two_spindles, spindle_missing (vibration and sound need one), heat_missing (a
 ///   criterion or critical event of coolant in an exercise without heat); with a specimen: tissue_missing, target_outside,
 ///   voxel_mismatch, landmark_outside (more than 1 mm beside the tooth's box);
-/// warnings: feature_thin (below 2.5 voxels), bur_small (radius below 3 voxels), head_short (below 6), neck_wider_than_ball,
+/// warnings: bur_not_of_number (named by a number of the catalogue that has another head or diameter; "limit": that diameter, mm), feature_thin (below 2.5 voxels), bur_small (radius below 3 voxels), head_short (below 6), neck_wider_than_ball,
 ///   bur_wider_than_target, corner_below_bur, leeway_below_voxel, point_off_floor, target_scores_less (an attempt that
 ///   meets the target loses points), weight_vanishes (a criterion brings no point that shows), language_missing, nothing_can_be_cut,
 ///   protected_twice (protected_removed counts it twice; detail: the tissue, or "region"),

@@ -18,12 +18,15 @@
 #include "ui/widgets/theme.h"
 
 namespace cusp::ui {
-namespace {
-
 /// The head from the side. The longest fills the height; the scale of small heads is larger.
 class BurPicture : public QWidget {
  public:
-  explicit BurPicture(const Bur& bur) : bur_(bur) { setFixedSize(px(22), px(34)); }
+  BurPicture() { setFixedSize(px(22), px(34)); }
+  void show_bur(const Bur& bur) {
+    if (bur_ == bur) return;
+    bur_ = bur;
+    update();
+  }
 
  protected:
   void paintEvent(QPaintEvent*) override {
@@ -40,8 +43,6 @@ class BurPicture : public QWidget {
  private:
   Bur bur_;
 };
-
-}  // namespace
 
 BursForm::BursForm(EditorModel& model, QWidget* parent) : QWidget(parent), model_(model) {
   auto* column = new QVBoxLayout(this);
@@ -90,9 +91,10 @@ BursForm::BursForm(EditorModel& model, QWidget* parent) : QWidget(parent), model
 
 void BursForm::follow_model() {
   const auto& burs = model_.scenario().instruments;
-  std::vector<std::string> names;
-  for (const Bur& b : burs) names.push_back(b.name);
-  if (names != built_ || diameters_.size() != names.size()) {
+  // Another diameter or name keeps the rows: a number that is being typed stays in focus.
+  std::vector<Profile> heads;
+  for (const Bur& bur : burs) heads.push_back(bur.head);
+  if (heads != built_) {
     while (QLayoutItem* item = list_->takeAt(0)) {
       if (item->widget()) {
         item->widget()->hide();
@@ -100,42 +102,57 @@ void BursForm::follow_model() {
       }
       delete item;
     }
-    diameters_.clear();
-    built_ = names;
-    for (std::size_t i = 0; i < burs.size(); ++i) {
-      const QString name = QString::fromStdString(burs[i].name);
-      auto* row = new QWidget;
-      auto* line = new QHBoxLayout(row);
-      line->setContentsMargins(0, 0, 0, 0);
-      line->setSpacing(px(6));
-      auto* which = new QVBoxLayout;
-      which->setSpacing(0);
-      which->addWidget(make_label(tr("Bur %1").arg(name)));
-      which->addWidget(make_label(bur_shape_name(shape_of(burs[i])), TextRole::caption, Weight::regular, "text2"));
-      line->addWidget(new BurPicture(burs[i]));
-      line->addLayout(which, 1);
-      NumberBox* diameter = nullptr;
-      if (burs[i].head.ball()) {
-        diameter = new NumberBox(model_, tr("Diameter of bur %1").arg(name), u"mm"_qs, 0.1, 5, 0.1, 2,
-                                 [this, i](double v) { return model_.set_bur_radius_mm(i, v / 2); });
-        line->addWidget(diameter);
-      } else {
-        line->addWidget(make_label(bur_diameter_text(burs[i])));
-      }
-      QPushButton* away = make_button({}, ButtonKind::quiet, u"trash"_qs);
-      away->setAccessibleName(tr("Remove bur %1").arg(name));
-      away->setToolTip(short_tool_tip(away->accessibleName()));
-      away->setFixedWidth(px(32));
-      line->addWidget(away);
-      connect(away, &QPushButton::clicked, this, [this, i] { model_.remove_bur(i); });
-      list_->addWidget(row);
-      if (diameter != nullptr) list_->addWidget(diameter->note());
-      diameters_.push_back(diameter);
-    }
+    rows_.clear();
+    built_ = heads;
+    for (std::size_t i = 0; i < burs.size(); ++i) rows_.push_back(make_row(i));
   }
-  for (std::size_t i = 0; i < burs.size(); ++i)
-    if (diameters_[i] != nullptr) diameters_[i]->show_value(2 * burs[i].radius_mm);
+  for (std::size_t i = 0; i < burs.size(); ++i) show_row(rows_[i], burs[i]);
   fill_catalogue();
+}
+
+BursForm::Row BursForm::make_row(std::size_t index) {
+  Row out{};
+  auto* row = new QWidget;
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(px(6));
+  auto* which = new QVBoxLayout;
+  which->setSpacing(0);
+  out.name = make_label({});
+  out.shape = make_label({}, TextRole::caption, Weight::regular, "text2");
+  which->addWidget(out.name);
+  which->addWidget(out.shape);
+  out.picture = new BurPicture;
+  line->addWidget(out.picture);
+  line->addLayout(which, 1);
+  if (model_.scenario().instruments[index].head.ball()) {
+    out.diameter = new NumberBox(model_, {}, u"mm"_qs, 0.1, 5, 0.1, 2,
+                                 [this, index](double v) { return model_.set_bur_radius_mm(index, v / 2); });
+    line->addWidget(out.diameter);
+  } else {
+    out.size = make_label({});
+    line->addWidget(out.size);
+  }
+  out.remove = make_button({}, ButtonKind::quiet, u"trash"_qs);
+  out.remove->setFixedWidth(px(32));
+  line->addWidget(out.remove);
+  connect(out.remove, &QPushButton::clicked, this, [this, index] { model_.remove_bur(index); });
+  list_->addWidget(row);
+  if (out.diameter != nullptr) list_->addWidget(out.diameter->note());
+  return out;
+}
+
+void BursForm::show_row(const Row& row, const Bur& bur) {
+  const QString name = QString::fromStdString(bur.name);
+  row.picture->show_bur(bur);
+  row.name->setText(tr("Bur %1").arg(name));
+  row.shape->setText(bur_shape_name(shape_of(bur)));
+  row.remove->setAccessibleName(tr("Remove bur %1").arg(name));
+  row.remove->setToolTip(short_tool_tip(row.remove->accessibleName()));
+  if (row.size != nullptr) row.size->setText(bur_diameter_text(bur));
+  if (row.diameter == nullptr) return;
+  row.diameter->setAccessibleName(tr("Diameter of bur %1").arg(name));
+  row.diameter->show_value(2 * bur.radius_mm);
 }
 
 void BursForm::fill_catalogue() {

@@ -13,6 +13,7 @@ class QVBoxLayout;
 
 namespace cusp::ui {
 
+class BurPicture;
 class NumberBox;
 
 class BursForm : public QWidget {
@@ -22,7 +23,16 @@ class BursForm : public QWidget {
   explicit BursForm(EditorModel& model, QWidget* parent = nullptr);
 
  private:
+  struct Row {
+    BurPicture* picture;
+    QLabel *name, *shape, *size;  // no size of a round bur
+    NumberBox* diameter;          // of a round bur alone
+    QPushButton* remove;
+  };
+
   void follow_model();
+  Row make_row(std::size_t index);
+  void show_row(const Row& row, const Bur& bur);
   void fill_catalogue();
   void show_uses();
 
@@ -32,8 +42,8 @@ class BursForm : public QWidget {
   QComboBox* catalogue_;
   QLabel* uses_;
   QPushButton* add_;
-  std::vector<NumberBox*> diameters_;  // one for each round bur, in the order of the rows
-  std::vector<std::string> built_;  // names of the rows, in order
+  std::vector<Row> rows_;
+  std::vector<Profile> built_;  // heads of the rows, in order
 };
 
 }  // namespace cusp::ui

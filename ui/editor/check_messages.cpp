@@ -168,6 +168,9 @@ QString tool_message(const Finding& f, const Region* whole, double value, double
   const QString c = QString::fromStdString(f.code);
   const QString name = QString::fromStdString(f.detail);
   if (c == u"no_instrument") return CheckText::tr("There is no bur to work with. Add one.");
+  if (c == u"bur_not_of_number") {
+    return CheckText::tr("The catalogue’s bur %1 has another shape or diameter (%2). Add it from the catalogue again, or change its diameter.").arg(name, mm(limit));
+  }
   if (c == u"bur_small") {
     return CheckText::tr("Bur %1 is too small for this fineness: its diameter is %2, from %3 it cuts truly.")
         .arg(name, mm(2 * value), mm(2 * limit));

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 
+#include "scenarios/burs/bur_catalogue.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
@@ -66,6 +69,25 @@ bool finite(const Scenario& s) {
     all = all && std::isfinite(v.stiffness_n_per_mm) && std::isfinite(v.speed_mm_s);
   }
   return all;
+}
+
+constexpr std::string_view kBySize = "Ø ";
+
+/// A name that the author gave stays.
+void name_by_size(std::vector<Bur>& burs, std::size_t index) {
+  Bur& bur = burs[index];
+  const bool of_size = bur.name.starts_with(kBySize);
+  if (!of_size && fits_its_number(bur)) return;
+  const auto free = [&](std::string_view name) {
+    return std::ranges::none_of(burs, [&](const Bur& other) { return &other != &bur && other.name == name; });
+  };
+  if (const CatalogueBur* same = catalogue_bur_like(bur); same != nullptr && free(same->bur.name)) {
+    bur = same->bur;
+    return;
+  }
+  const std::string plain = std::string(kBySize) + QString::number(2 * bur.radius_mm, 'g', 6).toStdString();
+  bur.name = plain;
+  for (int i = 2; !free(bur.name); ++i) bur.name = plain + " (" + std::to_string(i) + ")";
 }
 
 }  // namespace
@@ -277,7 +299,10 @@ bool EditorModel::remove_bur(std::size_t index) {
 
 bool EditorModel::set_bur_radius_mm(std::size_t index, double mm) {
   if (index >= scenario_.instruments.size() || !scenario_.instruments[index].head.ball()) return false;
-  return edit(tr("Bur"), u"bur/%1"_qs.arg(index), [&](Scenario& s) { s.instruments[index].radius_mm = mm; });
+  return edit(tr("Bur"), u"bur/%1"_qs.arg(index), [&](Scenario& s) {
+    s.instruments[index].radius_mm = mm;
+    name_by_size(s.instruments, index);
+  });
 }
 
 bool EditorModel::set_time_limit_s(double seconds) {

@@ -115,6 +115,7 @@ class EditorModel : public QObject {
   bool set_critical(const std::string& event, Listed in);
   bool add_bur(const Bur& bur);
   bool remove_bur(std::size_t index);
+  /// A bur of another size than its catalogue number has gets the number of that size, else a name by its diameter.
   bool set_bur_radius_mm(std::size_t index, double mm);
   bool set_time_limit_s(double seconds);
   bool set_tissue_figures(std::size_t index, double stiffness_n_per_mm, double speed_mm_s);

@@ -121,5 +121,26 @@ TEST(BurCatalogue, refuses_what_is_not_a_table_of_burs) {
   EXPECT_FALSE(read_bur_table("{"));
 }
 
+TEST(BurCatalogue, KnowsABurByHeadAndDiameterAndANumberThatIsNotItsOwn) {
+  for (const CatalogueBur& one : bur_catalogue()) {
+    EXPECT_TRUE(fits_its_number(one.bur)) << one.bur.name;
+    const CatalogueBur* like = catalogue_bur_like(one.bur);
+    ASSERT_NE(like, nullptr);
+    EXPECT_EQ(like->bur.head, one.bur.head) << one.bur.name;
+  }
+  Bur larger = catalogue_bur("2")->bur;
+  larger.radius_mm = 0.55;
+  EXPECT_FALSE(fits_its_number(larger));
+  EXPECT_EQ(catalogue_bur_like(larger), nullptr);
+  larger.name = "own";
+  EXPECT_TRUE(fits_its_number(larger));
+  Bur other_neck = catalogue_bur("4")->bur;
+  other_neck.neck_radius_mm = 0.3;
+  EXPECT_TRUE(fits_its_number(other_neck));
+  Bur ball = catalogue_bur("330")->bur;
+  ball.head = {};
+  EXPECT_FALSE(fits_its_number(ball));
+}
+
 }  // namespace
 }  // namespace cusp::test

@@ -157,9 +157,13 @@ TEST(Validate, WarnsOfWhatTheVoxelsCannotShow) {
   // 2.5 voxels of 0.1 mm.
   EXPECT_THAT(after([](Scenario& s) { s.target.outline.width_mm = 0.24; }),
               ElementsAre("warning /target/width_mm feature_thin", "warning /target/width_mm bur_wider_than_target"));
-  EXPECT_THAT(after([](Scenario& s) { s.instruments[0].radius_mm = 0.29; }),
+  EXPECT_THAT(after([](Scenario& s) {
+                s.instruments[0].name = "own";
+                s.instruments[0].radius_mm = 0.29;
+              }),
               ElementsAre("warning /instruments/0/radius_mm bur_small", "warning /instruments/0/neck_radius_mm neck_wider_than_ball"));
   EXPECT_THAT(after([](Scenario& s) {
+                s.instruments[0].name = "own";
                 s.instruments[0].radius_mm = 0.3;
                 s.instruments[0].neck_radius_mm = 0.2;
               }),
@@ -173,6 +177,17 @@ TEST(Validate, WarnsOfWhatTheBurCannotCut) {
   EXPECT_THAT(after([](Scenario& s) { s.target.outline.corner_radius_mm = 0.2; }),
               ElementsAre("warning /target/corner_radius_mm corner_below_bur"));
   EXPECT_THAT(after([](Scenario& s) { s.tissues[0].speed_mm_s = 0; }), ElementsAre("warning /tissues nothing_can_be_cut"));
+}
+
+TEST(Validate, WarnsOfABurThatIsNotWhatItsCatalogueNumberNames) {
+  using ::testing::ElementsAre;
+  EXPECT_THAT(after([](Scenario& s) { s.instruments[0].radius_mm = s.target.outline.corner_radius_mm = 0.75; }),
+              ElementsAre("warning /instruments/0/name bur_not_of_number"));
+  EXPECT_THAT(after([](Scenario& s) {
+                s.instruments[0].name = "own";
+                s.instruments[0].radius_mm = 0.65;
+              }),
+              IsEmpty());
 }
 
 TEST(Validate, WarnsOfAHeadShorterThanTheVoxelsCanShow) {

@@ -315,5 +315,32 @@ TEST(editor_model, a_handpiece_brings_what_needs_one_and_takes_it_along_and_cool
   EXPECT_EQ(model.scenario(), class_one().draft);
 }
 
+TEST(editor_model, a_bur_of_another_size_takes_the_number_of_that_size_or_a_name_by_its_diameter) {
+  EditorStart start = class_one();
+  auto& burs = start.draft.instruments;
+  burs = {catalogue_bur("2")->bur, catalogue_bur("4")->bur, catalogue_bur("4")->bur};
+  burs[2].name = "Dr. Weber's";
+  EditorModel model(start);
+  const auto names = [&] {
+    std::vector<std::string> out;
+    for (const Bur& bur : model.scenario().instruments) out.push_back(bur.name);
+    return out;
+  };
+  using Names = std::vector<std::string>;
+  ASSERT_TRUE(model.set_bur_radius_mm(0, 0.55));
+  EXPECT_EQ(names(), (Names{"Ø 1.1", "4", "Dr. Weber's"}));
+  ASSERT_TRUE(model.set_bur_radius_mm(0, 0.9));
+  EXPECT_EQ(model.scenario().instruments[0], catalogue_bur("6")->bur);
+  ASSERT_TRUE(model.set_bur_radius_mm(0, 0.7));
+  EXPECT_EQ(names(), (Names{"Ø 1.4", "4", "Dr. Weber's"})) << "one of each number";
+  ASSERT_TRUE(model.set_bur_radius_mm(1, 0.55));
+  ASSERT_TRUE(model.set_bur_radius_mm(0, 0.55));
+  EXPECT_EQ(names(), (Names{"Ø 1.1 (2)", "Ø 1.1", "Dr. Weber's"}));
+  ASSERT_TRUE(model.set_bur_radius_mm(2, 0.55));
+  EXPECT_EQ(names().back(), "Dr. Weber's");
+  while (model.stack().canUndo()) model.stack().undo();
+  EXPECT_EQ(model.scenario(), start.draft);
+}
+
 }  // namespace
 }  // namespace cusp::test

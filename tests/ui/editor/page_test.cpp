@@ -14,6 +14,7 @@
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
 #include "scenarios/burs/bur_catalogue.h"
 #include "scenarios/format/write.h"
@@ -243,8 +244,13 @@ TEST_F(EditorPages, criteria_and_burs_are_added_and_removed) {
   EXPECT_EQ(page->model().scenario().rubric.criteria.size(), criteria);
   named<QPushButton>(*page, "Add a bur")->click();
   EXPECT_EQ(page->model().scenario().instruments.size(), burs + 1);
-  named<QDoubleSpinBox>(*page, "Diameter of bur 2")->setValue(1.1);
-  EXPECT_DOUBLE_EQ(page->model().scenario().instruments[0].name == "2" ? page->model().scenario().instruments[0].radius_mm : 0.0, 0.55);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // the rows before
+  auto* diameter = named<QDoubleSpinBox>(*page, "Diameter of bur 2");
+  diameter->setValue(1.1);
+  EXPECT_EQ(diameter->accessibleName(), QStringLiteral("Diameter of bur Ø 1.1")) << "the field stays, in focus";
+  EXPECT_FALSE(diameter->isHidden());
+  const auto& left = page->model().scenario().instruments;
+  EXPECT_EQ(std::ranges::count(left, std::string("Ø 1.1"), &Bur::name), 1);
   EXPECT_FALSE(named<QCheckBox>(*page, "Opening the pulp fails the attempt") && named<QCheckBox>(*page, "Opening the pulp fails the attempt")->isEnabled());
 }
 
