@@ -30,9 +30,9 @@ std::string mark_text(const ContentHash& content) {
   return "format " + std::to_string(kExerciseFileFormat) + "\ncontent " + content.hex() + '\n';
 }
 
-ContentHash content_of(const ExerciseFile& file) {
-  if (!file.scenario.specimen.generator.empty()) return content_hash(file.scenario);
-  return content_hash(file.scenario, {{file.scenario.specimen.volume, file.volume}});
+ContentHash content_of(const Scenario& scenario, const std::vector<std::byte>& volume) {
+  if (!scenario.specimen.generator.empty()) return content_hash(scenario);
+  return content_hash(scenario, {{scenario.specimen.volume, volume}});
 }
 
 std::string_view view_of(const std::vector<std::byte>& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
@@ -80,12 +80,11 @@ bool names_exercise_file(std::string_view name) noexcept {
 
 Result<std::string, ExerciseFileFailure> exercise_file_bytes(const ExerciseFile& file) {
   if (auto fits = check(file); !fits) return std::unexpected(fits.error());
-  const std::string mark = mark_text(content_of(file)), json = canonical_json(file.scenario);
+  Scenario scenario = file.scenario;
+  scenario.specimen.volume = tar_name(scenario.specimen.volume);
+  const std::string mark = mark_text(content_of(scenario, file.volume)), json = canonical_json(scenario);
   std::vector<TarEntry> entries = {{std::string(kMark), mark}, {std::string(kScenario), json}};
-  if (const SpecimenSource& specimen = file.scenario.specimen; specimen.generator.empty()) {
-    if (specimen.volume.size() > kMostTarName) return refuse(FormatError::bad_file_name, specimen.volume);
-    entries.push_back({specimen.volume, view_of(file.volume)});
-  }
+  if (scenario.specimen.generator.empty()) entries.push_back({scenario.specimen.volume, view_of(file.volume)});
   std::string bytes = write_tar(entries);
   if (bytes.size() > kMaxExerciseFileBytes) return refuse(FormatError::too_large, file.scenario.specimen.volume);
   return bytes;
@@ -119,7 +118,7 @@ Result<ExerciseFile, ExerciseFileFailure> parse_exercise_file(std::string_view b
     const auto* first = reinterpret_cast<const std::byte*>(last.data.data());
     out.volume.assign(first, first + last.data.size());
   }
-  if (content_of(out).hex() != *content) return refuse(FormatError::damaged, {});
+  if (content_of(out.scenario, out.volume).hex() != *content) return refuse(FormatError::damaged, {});
   if (auto fits = check(out); !fits) return std::unexpected(fits.error());
   return out;
 }

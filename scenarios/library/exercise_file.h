@@ -36,7 +36,8 @@ struct ExerciseFile {
 /// What is wrong with the file, with the exercise in it, or with its volume.
 using ExerciseFileFailure = std::variant<FormatFailure, Finding, ImportFailure>;
 
-/// The file's bytes. Refuses what the reader would refuse.
+/// The file's bytes. Refuses what the reader would refuse. A volume's name that an archive cannot hold is shortened (tar_name): each
+/// station names its volumes as it likes.
 [[nodiscard]] Result<std::string, ExerciseFileFailure> exercise_file_bytes(const ExerciseFile& file);
 /// Writes a WholeFile (scenarios/import/whole_file.h): no half file bears the name.
 [[nodiscard]] Result<void, ExerciseFileFailure> write_exercise_file(const ExerciseFile& file, const std::filesystem::path& path);

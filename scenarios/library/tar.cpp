@@ -81,6 +81,17 @@ Result<Head, FormatFailure> head_of(std::string_view header) {
 
 }  // namespace
 
+std::string tar_name(std::string_view name) {
+  if (name.size() <= kMostTarName) return std::string(name);
+  constexpr std::size_t kMostSuffix = 16;  // a longer one is a name with a full stop in it
+  const std::size_t dot = name.rfind('.');
+  const std::string_view suffix = dot != std::string_view::npos && name.size() - dot <= kMostSuffix ? name.substr(dot) : std::string_view();
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+  std::size_t kept = kMostTarName - suffix.size();
+  while (kept > 0 && continues(name[kept])) --kept;
+  return std::string(name.substr(0, kept)).append(suffix);
+}
+
 std::string write_tar(const std::vector<TarEntry>& entries) {
   std::string out;
   for (const TarEntry& entry : entries) {

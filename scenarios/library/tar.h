@@ -19,6 +19,9 @@ struct TarEntry {
 /// Bytes of an entry's name at most.
 inline constexpr std::size_t kMostTarName = 100;
 
+/// The name, or one of kMostTarName bytes at most with the same beginning and the same suffix. UTF-8 is cut between characters.
+std::string tar_name(std::string_view name);
+
 /// The same entries give the same bytes. Pre: names of 1 to kMostTarName bytes.
 std::string write_tar(const std::vector<TarEntry>& entries);
 

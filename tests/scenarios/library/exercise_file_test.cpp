@@ -219,9 +219,31 @@ TEST_F(ExerciseFiles, WithAnExerciseThatTheChecksRefuseAreNeitherWrittenNorRead)
   ExerciseFile broken = volume;
   broken.volume.resize(200);
   EXPECT_TRUE(std::holds_alternative<ImportFailure>(exercise_file_bytes(broken).error()));
+}
+
+TEST_F(ExerciseFiles, HoldAVolumeWhoseNameNoArchiveCanHoldUnderAShorterOne) {
   ExerciseFile named = volume;
   named.scenario.specimen.volume = std::string(kMostTarName, 'v') + ".nrrd";
-  EXPECT_EQ(std::get<FormatFailure>(exercise_file_bytes(named).error()).code, FormatError::bad_file_name);
+  const auto bytes = exercise_file_bytes(named);
+  ASSERT_TRUE(bytes);
+  const auto again = parse_exercise_file(*bytes);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->scenario.specimen.volume, std::string(kMostTarName - 5, 'v') + ".nrrd");
+  EXPECT_EQ(again->volume, named.volume);
+  named.scenario.specimen.volume = again->scenario.specimen.volume;
+  EXPECT_EQ(again->scenario, named.scenario) << "all but the name is the same";
+}
+
+TEST(TarName, IsCutBetweenCharactersAndKeepsItsSuffix) {
+  EXPECT_EQ(tar_name("molar.nrrd"), "molar.nrrd");
+  const std::string whole(kMostTarName, 'm');
+  EXPECT_EQ(tar_name(whole), whole);
+  std::string umlauts;
+  for (int i = 0; i < 60; ++i) umlauts += "ä";  // two bytes each: 60 characters, 120 bytes
+  EXPECT_EQ(tar_name(umlauts + ".nrrd"), umlauts.substr(0, 94) + ".nrrd") << "95 bytes would end within a character";
+  EXPECT_EQ(tar_name(std::string(110, 'm')), whole);
+  const std::string sentence = std::string(90, 'm') + ". a name with a full stop in it";
+  EXPECT_EQ(tar_name(sentence), sentence.substr(0, kMostTarName));
 }
 
 }  // namespace
