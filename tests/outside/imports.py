@@ -1,8 +1,10 @@
 """What `cusp import` refuses before it makes anything: options in vain, files that it would pass over, names that mislead.
+And how verbs name a tissue that an author named.
 
   imports.py CUSP
 """
 import os
+import struct
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -83,7 +85,28 @@ def names(desk, mesh, labels):
     check(status == 0, f"a specimen is turned in its place: {err}")
 
 
+def own_tissue(desk):
+    """A tissue that the author named stands by that name in what people read, and by its code in JSON."""
+    stone, turned = desk.path("stone.nrrd"), desk.path("turned.nrrd")
+    header = ("NRRD0005\ntype: uint16\ndimension: 4\nspace: right-anterior-superior\nsizes: 2 8 8 8\n"
+              "space directions: none (0.5,0,0) (0,0.5,0) (0,0,0.5)\ncenterings: none cell cell cell\nkinds: list space space space\n"
+              "endian: little\nencoding: raw\nspace origin: (0,0,0)\nspace units: \"mm\" \"mm\" \"mm\"\ntissue 16:=pulp stone\n\n")
+    with open(stone, "wb") as f:
+        f.write(header.encode("ascii") + struct.pack("<HH", 16, 65535) * 512)
+    status, out, err = desk.run("import", stone, "--turn", "z", "-o", turned)
+    check(status == 0 and "pulp stone: " in out, f"a named tissue: exit {status}: {out}{err}")
+    check(desk.json("import", stone, "--turn", "z", "-o", turned)["tissues"] == ["16"], "a script needs the code")
+
+    def on_the_stone(scenario):
+        scenario["specimen"] = {"volume": "stone.nrrd", "voxel_mm": 0.5}
+
+    exercise = desk.small_exercise("stone.json", on_the_stone)
+    status, out, _ = desk.run("validate", exercise)
+    check(status == 1 and "(pulp stone)" in out and "(Plastic)" in out, f"a named tissue that is not described: exit {status}: {out}")
+
+
 with Desk(sys.argv[1]) as the_desk:
     options_in_vain(the_desk)
     passed_over(the_desk, *one_part(the_desk))
     names(the_desk, *one_part(the_desk))
+    own_tissue(the_desk)

@@ -172,7 +172,7 @@ void print_result(const Done& done, const SolidMeasure& measure) {
   std::erase_if(notes, [](const ImportRemark& r) { return r.code == RemarkCode::size_odd; });  // the warning
   for (const QString& line : describe(notes)) print_line(plain(line));
   for (const Tissue t : facts_of(done.volume).tissues)
-    print_line(plain(QStringLiteral("%1: %2 mm³").arg(tissue_name(t)).arg(measure.mm3[index_of(t)], 0, 'f', 1)));
+    print_line(plain(QStringLiteral("%1: %2 mm³").arg(tissue_name(t, done.volume.names)).arg(measure.mm3[index_of(t)], 0, 'f', 1)));
 }
 
 int finish(const ImportOptions& o, const Done& done) {

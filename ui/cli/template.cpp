@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "scenarios/format/keys.h"
 #include "scenarios/format/validate.h"
 #include "scenarios/format/write.h"
 #include "scenarios/import/nrrd.h"
@@ -81,7 +82,10 @@ QString describe_fit(const FitFailure& failure, const std::string& key) {
       if (detail == u"no_room"_qs)
         return CliText::tr("With these values nothing is left of the fissures that the preparation follows. A narrower marginal ridge leaves more.");
       return CliText::tr("The tooth lacks what the template is laid along: %1.").arg(where);
-    case FitError::missing_tissue: return CliText::tr("The file does not hold what the template needs: %1.").arg(where);
+    case FitError::missing_tissue: {
+      const auto tissue = scenario_tissue_from_key(failure.where);
+      return CliText::tr("The file does not hold what the template needs: %1.").arg(tissue ? tissue_name(*tissue) : where);
+    }
     case FitError::turned_tooth: return CliText::tr("The tooth lies %1 degrees off: x has to be mesial or distal, y buccal, z occlusal.").arg(where);
     case FitError::does_not_fit: return CliText::tr("These values make no exercise: %1 (%2).").arg(where, detail);
     case FitError::bad_template: break;

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "scenarios/format/keys.h"
 #include "storage/base/clock.h"
 #include "ui/modules.h"
 #include "ui/text/failure_text.h"
@@ -24,17 +25,23 @@ std::optional<FormatError> format_error(const std::string& code) {
   return std::nullopt;
 }
 
+QString tissue_of(const Finding& f, const TissueNames& own) {
+  if (f.detail == "region") return CliText::tr("a region");
+  const auto tissue = scenario_tissue_from_key(f.detail);
+  return tissue ? tissue_name(*tissue, own) : text(f.detail);
+}
+
 /// Of a finding of scenarios/checks; empty for any other.
-QString reason_of_checks(const Finding& f) {
+QString reason_of_checks(const Finding& f, const TissueNames& own) {
   const std::string& c = f.code;
   if (c == "target_opens_pulp") return CliText::tr("the target opens the pulp");
   if (c == "target_holds_pulp") return CliText::tr("the target holds pulp, as the access to a root canal does");
   if (c == "pulp_rule_off") return CliText::tr("opening the pulp does not fail the attempt");
   if (c == "leeway_opens_pulp") return CliText::tr("the tolerance zone reaches the pulp");
-  if (c == "target_cuts_protected") return CliText::tr("the target takes a protected tissue (%1)").arg(text(f.detail));
-  if (c == "leeway_cuts_protected") return CliText::tr("the tolerance zone reaches a protected tissue (%1)").arg(text(f.detail));
+  if (c == "target_cuts_protected") return CliText::tr("the target takes a protected tissue (%1)").arg(tissue_of(f, own));
+  if (c == "leeway_cuts_protected") return CliText::tr("the tolerance zone reaches a protected tissue (%1)").arg(tissue_of(f, own));
   if (c == "target_without_tissue") return CliText::tr("the target holds nothing that could be cut");
-  if (c == "target_uncuttable") return CliText::tr("the target holds a tissue that cannot be cut (%1)").arg(text(f.detail));
+  if (c == "target_uncuttable") return CliText::tr("the target holds a tissue that cannot be cut (%1)").arg(tissue_of(f, own));
   if (c == "idle_earns") return CliText::tr("an attempt that cuts nothing earns points");
   if (c == "token_passes") return CliText::tr("an attempt that cuts a twentieth of the target passes");
   if (c == "token_earns") return CliText::tr("an attempt that cuts a twentieth of the target earns points");
@@ -48,6 +55,7 @@ QString reason_of_checks(const Finding& f) {
 /// Of a finding about burs, handpieces and heat; empty for any other.
 QString reason_of_tools(const Finding& f) {
   const std::string& c = f.code;
+  if (c == "bur_not_of_number") return CliText::tr("the catalogue’s bur %1 has another shape or diameter").arg(text(f.detail));
   if (c == "no_instrument") return CliText::tr("it has no instrument");
   if (c == "bur_small") return CliText::tr("a bur’s radius is below 3 voxels");
   if (c == "head_short") return CliText::tr("a bur’s head is shorter than 6 voxels");
@@ -59,16 +67,16 @@ QString reason_of_tools(const Finding& f) {
   return {};
 }
 
-QString reason(const Finding& f) {
+QString reason(const Finding& f, const TissueNames& own) {
   const std::string& c = f.code;
-  for (const auto part : {reason_of_checks, reason_of_tools})
-    if (const QString found = part(f); !found.isEmpty()) return found;
+  if (const QString found = reason_of_checks(f, own); !found.isEmpty()) return found;
+  if (const QString found = reason_of_tools(f); !found.isEmpty()) return found;
   if (c == "no_target") return CliText::tr("it has no target");
   if (c == "path_count" || c == "point_count") return CliText::tr("the target’s path does not fit its shape");
   if (c == "empty_target") return CliText::tr("the target is empty");
   if (c == "no_direction") return CliText::tr("a shape of the target has no direction");
   if (c == "target_endless") return CliText::tr("the target has no end on a side");
-  if (c == "target_tissue_missing") return CliText::tr("the target is made of a tissue that the tooth does not have (%1)").arg(text(f.detail));
+  if (c == "target_tissue_missing") return CliText::tr("the target is made of a tissue that the tooth does not have (%1)").arg(tissue_of(f, own));
   if (c == "lesion_missing") return CliText::tr("the target follows a carious lesion, and the tooth has none");
   if (c == "nothing_protected") return CliText::tr("damage of a protected part fails the attempt, and nothing is protected");
   if (c == "critical_twice") return CliText::tr("%1 is named twice among what fails the attempt").arg(text(f.detail));
@@ -78,12 +86,14 @@ QString reason(const Finding& f) {
   if (c == "target_missing") return CliText::tr("%1 is of a target that the exercise does not have").arg(text(f.detail));
   if (c == "bands_not_ordered") return CliText::tr("the bands are not in rising order");
   if (c == "pass_unreachable") return CliText::tr("the pass mark cannot be reached");
-  if (c == "protected_missing") return CliText::tr("a protected tissue is missing (%1)").arg(text(f.detail));
-  if (c == "protected_twice") return CliText::tr("%1 is protected twice, and what is removed of it counts twice").arg(text(f.detail));
-  if (c == "tissue_missing") return CliText::tr("the specimen holds a tissue that is not described (%1)").arg(text(f.detail));
-  if (c == "tissue_unused") return CliText::tr("a tissue does not occur in the specimen (%1)").arg(text(f.detail));
+  if (c == "protected_missing") return CliText::tr("a protected tissue is missing (%1)").arg(tissue_of(f, own));
+  if (c == "protected_twice") return CliText::tr("%1 is protected twice, and what is removed of it counts twice").arg(tissue_of(f, own));
+  if (c == "tissue_missing") return CliText::tr("the specimen holds a tissue that is not described (%1)").arg(tissue_of(f, own));
+  if (c == "tissue_unused") return CliText::tr("a tissue does not occur in the specimen (%1)").arg(tissue_of(f, own));
   if (c == "target_outside") return CliText::tr("the target lies outside the specimen");
   if (c == "voxel_mismatch") return CliText::tr("the volume’s voxels are not of the size that is stated");
+  if (c == "wall_of_other_side") return CliText::tr("a mesial or distal wall of the target stands on the other side of this tooth");
+  if (c == "sides_unknown") return CliText::tr("the target names mesial and distal walls, and the file does not state where mesial lies");
   if (c == "feature_thin") return CliText::tr("a feature is thinner than 2.5 voxels and cannot be judged");
   if (c == "corner_below_bur") return CliText::tr("the target’s corners are sharper than the smallest bur");
   if (c == "leeway_below_voxel") return CliText::tr("the tolerance zone is thinner than a voxel");
@@ -102,11 +112,11 @@ QString reason(const Finding& f) {
 
 }  // namespace
 
-QString finding_text(const Finding& f) {
+QString finding_text(const Finding& f, const TissueNames& own) {
   if (const auto code = format_error(f.code)) {
     return describe(FormatFailure{*code, f.path, f.detail}).line();
   }
-  QString out = f.path.empty() ? reason(f) : text(f.path) + QStringLiteral(": ") + reason(f);
+  QString out = f.path.empty() ? reason(f, own) : text(f.path) + QStringLiteral(": ") + reason(f, own);
   const QString value = number(f.args, "value");
   const QString limit = number(f.args, "limit");
   if (!value.isEmpty() && !limit.isEmpty()) return CliText::tr("%1 (%2, limit %3).").arg(out, value, limit);

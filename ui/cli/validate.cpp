@@ -58,21 +58,26 @@ Result<Input, Message> open_input(const std::string& path) {
 
 enum class Checked : std::uint8_t { form, form_and_specimen };
 
+struct Found {
+  std::vector<Finding> findings;
+  TissueNames names{};  // of the specimen's own tissues
+};
+
 /// Findings about form and values, then with the specimen unless only the form is asked for.
-Result<std::vector<Finding>, Message> findings_of(const Input& input, Checked checked) {
-  if (!input.findings.empty()) return input.findings;
+Result<Found, Message> findings_of(const Input& input, Checked checked) {
+  if (!input.findings.empty()) return Found{input.findings};
   std::vector<Finding> findings = validate_text(input.text);
   const auto scenario = read_scenario(input.text);
-  if (checked == Checked::form || has_error(findings) || !scenario) return findings;
+  if (checked == Checked::form || has_error(findings) || !scenario) return Found{std::move(findings)};
   const bool packed = input.file && scenario->specimen.generator.empty();
   const auto volume = packed ? voxels_of(*input.file) : make_specimen(scenario->specimen, input.folder);
   if (!volume) return std::unexpected(describe(volume.error()));
   const SpecimenFacts facts = facts_of(*volume);
   findings = validate_text(input.text, &facts);
-  if (has_error(findings)) return findings;
+  if (has_error(findings)) return Found{std::move(findings), volume->names};
   const std::vector<Finding> checks = check_exercise(*scenario, Specimen::build(*volume, reading_of(scenario->method)));
   findings.insert(has_error(checks) ? findings.begin() : findings.end(), checks.begin(), checks.end());
-  return findings;
+  return Found{std::move(findings), volume->names};
 }
 
 int validate_verb(const ValidateOptions& o) {
@@ -81,7 +86,7 @@ int validate_verb(const ValidateOptions& o) {
   if (!input) return failed(input.error());
   const auto found = findings_of(*input, o.form_only ? Checked::form : Checked::form_and_specimen);
   if (!found) return failed(found.error());
-  const std::vector<Finding>& findings = *found;
+  const std::vector<Finding>& findings = found->findings;
 
   nlohmann::ordered_json json;
   json["valid"] = !has_error(findings);
@@ -101,10 +106,10 @@ int validate_verb(const ValidateOptions& o) {
     if (f.severity == Severity::error) ++errors;
     if (o.json.on_stdout()) continue;
     const QString line = f.severity == Severity::error ? CliText::tr("Error: %1") : CliText::tr("Warning: %1");
-    print_line(plain(line.arg(finding_text(f))));
+    print_line(plain(line.arg(finding_text(f, found->names))));
   }
   if (errors > 0) {
-    const QString first = finding_text(findings.front());
+    const QString first = finding_text(findings.front(), found->names);
     const QString what = QString::fromStdString(o.path);
     return failed(errors == 1 ? CliText::tr("%1 cannot be used: %2").arg(what, first)
                               : CliText::tr("%1 cannot be used: %2 (and %n more)", nullptr, static_cast<int>(errors) - 1)

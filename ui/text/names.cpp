@@ -180,4 +180,12 @@ QString tissue_name(Tissue tissue) {
   return Text::tr("Material %1").arg(static_cast<int>(tissue) - 15);
 }
 
+QString tissue_name(Tissue tissue, const TissueNames& own) {
+  const auto code = static_cast<std::uint8_t>(index_of(tissue));
+  const auto named = own.find(code);
+  if (named == own.end() || named->second.empty()) return tissue_name(tissue);
+  const auto grown = own_tissue_names().find(code);
+  return grown != own_tissue_names().end() && grown->second == named->second ? tissue_name(tissue) : QString::fromStdString(named->second);
+}
+
 }  // namespace cusp::ui

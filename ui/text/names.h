@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QString>
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -43,6 +45,10 @@ QString drawn_tooth_text();
 /// What a student does for a newer self-test of the device, in one sentence.
 QString self_test_advice(const std::string& device_class);
 QString tissue_name(Tissue tissue);
+/// A volume's own names of its tissues, by code (VoxelVolume::names).
+using TissueNames = std::map<std::uint8_t, std::string>;
+/// As the volume's author named it; a tissue without such a name, or of a grown tooth, as above.
+QString tissue_name(Tissue tissue, const TissueNames& own);
 /// "gingival floor" of a key of kFaceKeys; "other walls" of a side wall.
 QString face_name(std::string_view key);
 
