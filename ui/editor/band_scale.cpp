@@ -35,6 +35,8 @@ double band_step(std::string_view unit) noexcept {
   return 1;
 }
 
+double band_end(std::string_view unit) noexcept { return unit == "s" ? 86400.0 : 1000.0; }
+
 BandScale::BandScale(const Bands& bands, BandRange possible, double step, std::span<const double> values)
     : bands_(bands),
       possible_(possible),

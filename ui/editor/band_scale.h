@@ -25,6 +25,8 @@ inline constexpr std::array kBandEdgeShares = {0.0, 0.5, 1.0, 1.0, 0.5, 0.0};
 
 /// What an edge is snapped to: 0.05 mm as the handles on the tooth [M].
 [[nodiscard]] double band_step(std::string_view unit) noexcept;
+/// Beyond what an attempt reaches: a day, of any other unit 1000.
+[[nodiscard]] double band_end(std::string_view unit) noexcept;
 inline constexpr double kFineBandStep = 0.2;  // of band_step(), with Shift: 0.01 mm
 
 struct BandSpot {

@@ -14,8 +14,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr double kNumberEnd = 1000;  // of the numbers: beyond what an attempt reaches in any unit
-constexpr double kAnything = 1e6;    // of a metric without a range of its own, as scenarios/format/ranges
+constexpr double kAnything = 1e6;  // of a metric without a range of its own, as scenarios/format/ranges
 
 /// The sign of a mark, beside its name.
 class MarkSign : public QWidget {
@@ -59,8 +58,9 @@ BandsForm::BandsForm(EditorModel& model, std::size_t index, QWidget* parent) : Q
   marks_ = new QVBoxLayout;
   marks_->setSpacing(0);
   column->addLayout(marks_);
+  const double end = band_end(unit.toStdString());
   for (std::size_t edge = 0; edge < numbers_.size(); ++edge) {
-    numbers_[edge] = new NumberBox(model_, tr("%1: %2").arg(name, band_edge_name(edge)), unit, -kNumberEnd, kNumberEnd, picture_->step(), 2,
+    numbers_[edge] = new NumberBox(model_, tr("%1: %2").arg(name, band_edge_name(edge)), unit, -end, end, picture_->step(), 2,
                                    [this, edge](double value) {
                                      Bands bands = criterion().bands;
                                      bands.*kBandEdges[edge] = value;

@@ -27,8 +27,6 @@
 namespace cusp::ui {
 namespace {
 
-constexpr double kOpenEnd = 1000;  // beyond what an attempt can reach in any unit
-
 bool has_tissue(const Scenario& s, Tissue tissue) {
   return std::ranges::any_of(s.tissues, [tissue](const ScenarioTissue& t) { return t.tissue == tissue; });
 }
@@ -81,7 +79,8 @@ Bands first_bands(const std::string& of, const Region& whole, int fdi) {
   if (metric == "dry_cutting_time") return {0, 0, 0, 2, 5, 10};
   if (metric == "temperature_rise_peak") return {0, 0, 0, 2, 4, kPulpCriterionK};
   const auto known = metric_from_key(metric);
-  const double least = known ? known->least : 0, most = known ? std::min(known->most, kOpenEnd) : kOpenEnd;
+  const double end = band_end(metric_unit(metric).toStdString());
+  const double least = known ? known->least : 0, most = known ? std::min(known->most, end) : end;
   return {least, least, least, most, most, most};
 }
 

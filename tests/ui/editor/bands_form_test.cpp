@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "scenarios/grading/bands.h"
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/editor/editor_pages.h"
@@ -14,6 +15,7 @@
 #include "ui/editor/band_picture.h"
 #include "ui/editor/bands_form.h"
 #include "ui/editor/editor_model.h"
+#include "ui/editor/points_form.h"
 #include "ui/widgets/number_field.h"
 
 namespace cusp::test {
@@ -182,6 +184,19 @@ TEST_F(BandsForms, look_as_they_are_meant) {
     QTest::qWait(50);
     leave_picture(*form, QStringLiteral("bands-") + look);
   });
+}
+
+TEST(BandsForm, takes_any_time_that_an_attempt_can_last_and_a_new_criterion_of_time_costs_no_points) {
+  constexpr double kLongestS = 8 * 3600.0;  // a day's course
+  EditorStart start;
+  start.draft = *load_builtin("channel-1");
+  EditorModel model(start);
+  const Bands first = first_bands("time", model.scenario().target);
+  EXPECT_EQ(share_of_points(first, 0.0), 1.0);
+  EXPECT_EQ(share_of_points(first, kLongestS), 1.0);
+  ASSERT_TRUE(model.add_criterion("time", first));
+  const BandsForm form(model, model.scenario().rubric.criteria.size() - 1);
+  for (const NumberField* field : form.findChildren<NumberField*>()) EXPECT_GE(field->maximum(), kLongestS);
 }
 
 }  // namespace
