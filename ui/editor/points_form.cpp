@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "engine/removal/heat.h"
 #include "scenarios/format/keys.h"
@@ -116,6 +117,9 @@ PointsForm::PointsForm(EditorModel& model, QWidget* parent) : QWidget(parent), m
   pulp_ = new QCheckBox(tr("Opening the pulp fails the attempt"));
   column->addWidget(pulp_);
   connect(pulp_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("pulp_exposure", EditorModel::listed(on)); });
+  damage_ = new QCheckBox(tr("Protected part damaged: not passed"));
+  column->addWidget(damage_);
+  connect(damage_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("protected_damage", EditorModel::listed(on)); });
   dry_ = new QCheckBox(tr("Overheating the tooth fails the attempt"));
   column->addWidget(dry_);
   connect(dry_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("dry_cutting", EditorModel::listed(on)); });
@@ -274,12 +278,15 @@ void PointsForm::follow_model() {
   pass_->show_value(s.rubric.pass);
   const bool pulp = has_tissue(s, Tissue::pulp);
   const bool heat = has_phenomenon(s.phenomena, "heat");
-  const QSignalBlocker quiet(pulp_), quieter(metric_), still(dry_), silent(own_);
+  const QSignalBlocker quiet(pulp_), quieter(metric_), still(dry_), silent(own_), hushed(damage_);
+  const auto fails = [&](std::string_view event) { return std::ranges::find(s.rubric.critical, event) != s.rubric.critical.end(); };
   own_->setChecked(s.self_assessment);
   dry_->setVisible(heat);
-  dry_->setChecked(std::ranges::find(s.rubric.critical, "dry_cutting") != s.rubric.critical.end());
+  dry_->setChecked(fails("dry_cutting"));
+  damage_->setVisible(fails("protected_damage") || std::ranges::any_of(s.protected_parts, [](const Protected& p) { return p.tissue != Tissue::pulp; }));
+  damage_->setChecked(fails("protected_damage"));
   pulp_->setEnabled(pulp);
-  pulp_->setChecked(std::ranges::find(s.rubric.critical, "pulp_exposure") != s.rubric.critical.end());
+  pulp_->setChecked(fails("pulp_exposure"));
   const QVariant kept = metric_->currentData();
   metric_->clear();
   const auto offer = [&](const std::string& metric) {

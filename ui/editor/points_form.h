@@ -45,7 +45,7 @@ class PointsForm : public QWidget {
   EditorModel& model_;
   QLabel* sum_;
   NumberBox* pass_;
-  QCheckBox *pulp_, *dry_, *own_;
+  QCheckBox *pulp_, *damage_, *dry_, *own_;
   QComboBox* metric_;
   QPushButton *add_, *measure_;
   QLabel* measured_;

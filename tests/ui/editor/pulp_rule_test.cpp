@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <algorithm>
 
 #include "scenarios/library/library.h"
@@ -10,6 +11,7 @@
 #include "tests/modules.h"
 #include "tests/ui/editor/class_one.h"
 #include "ui/editor/editor_model.h"
+#include "ui/editor/points_form.h"
 #include "ui/editor/specimen_grower.h"
 
 namespace cusp::test {
@@ -157,6 +159,24 @@ TEST(editor_model, neighbours_of_an_exercise_that_had_none_are_protected_as_in_a
   EXPECT_EQ(model.scenario().rubric.critical, (std::vector<std::string>{"pulp_exposure", "protected_damage"}));
   model.stack().undo();
   EXPECT_EQ(model.scenario(), class_one().draft);
+}
+
+TEST(editor_model, the_rule_about_damage_is_switched_where_more_than_pulp_is_protected) {
+  EditorModel model(class_one());
+  PointsForm form(model);
+  QCheckBox* rule = nullptr;
+  for (QCheckBox* box : form.findChildren<QCheckBox*>())
+    if (box->text() == QStringLiteral("Protected part damaged: not passed")) rule = box;
+  ASSERT_NE(rule, nullptr);
+  EXPECT_TRUE(rule->isHidden());
+  ASSERT_TRUE(stand_round(model, {"neighbours"}));
+  EXPECT_FALSE(rule->isHidden());
+  EXPECT_TRUE(rule->isChecked());
+  rule->click();
+  EXPECT_EQ(model.scenario().rubric.critical, std::vector<std::string>{"pulp_exposure"});
+  EXPECT_EQ(model.scenario().protected_parts.size(), 3u) << "they are still protected";
+  rule->click();
+  EXPECT_EQ(model.scenario().rubric.critical, (std::vector<std::string>{"pulp_exposure", "protected_damage"}));
 }
 
 TEST(editor_model, a_region_composed_with_a_neighbour_goes_with_it_and_comes_back) {
