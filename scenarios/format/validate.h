@@ -49,13 +49,15 @@ std::optional<double> stated_voxel_mm(double voxel_mm) noexcept;
 ///   the exercise and occur in the specimen), two_spindles, spindle_missing (vibration and sound need one), heat_missing (a
 ///   criterion or critical event of coolant in an exercise without heat); with a specimen: tissue_missing, target_outside,
 ///   voxel_mismatch, landmark_outside (more than 1 mm beside the tooth's box);
-/// warnings: bur_not_of_number (named by a number of the catalogue that has another head or diameter; "limit": that diameter, mm), feature_thin (below 2.5 voxels), bur_small (radius below 3 voxels), head_short (below 6), neck_wider_than_ball,
-///   bur_wider_than_target, corner_below_bur, leeway_below_voxel, point_off_floor, target_scores_less (an attempt that
-///   meets the target loses points), weight_vanishes (a criterion brings no point that shows), language_missing, nothing_can_be_cut,
-///   protected_twice (protected_removed counts it twice; detail: the tissue, or "region"),
-///   wall_of_other_side (a mesial or distal wall of the target stands on the other side of the tooth), sides_unknown (the target names
-///   them on a file without a number or mesial axis),
-///   tooth_turned (by its landmarks: measures by side are not measurable), tooth_tilted (by its long axis); with a specimen: tissue_unused.
+/// warnings: bur_not_of_number (named by a number of the catalogue that has another head or diameter; "limit": that
+///   diameter, mm), feature_thin (below 2.5 voxels), bur_small (radius below 3 voxels), head_short (below 6),
+///   neck_wider_than_ball, bur_wider_than_target, bur_short (no shank goes into the outline, and no neck is as long as it
+///   is deep), corner_below_bur, leeway_below_voxel, point_off_floor, target_scores_less (an attempt that meets the target
+///   loses points), weight_vanishes (a criterion brings no point that shows), language_missing, nothing_can_be_cut,
+///   protected_twice (protected_removed counts it twice; detail: the tissue, or "region"), wall_of_other_side (a mesial or
+///   distal wall of the target stands on the other side of the tooth), sides_unknown (the target names them on a file
+///   without a number or mesial axis), tooth_turned (by its landmarks: measures by side are not measurable), tooth_tilted
+///   (by its long axis); with a specimen: tissue_unused.
 std::vector<Finding> validate(const Scenario& scenario, const SpecimenFacts* specimen = nullptr);
 
 /// Read, then validate(scenario), then what the schema minds besides, errors first. A text that does not read yields its

@@ -49,7 +49,11 @@ class RegionChecks {
     }
     for (std::size_t i = 0; i < region.parts.size(); ++i) tree(region.parts[i], where + "/parts/" + std::to_string(i));
   }
-  void within(const Outline& t, const SpecimenFacts& f, const std::string& where);
+  /// A lone outline: a part of a tree may be deeper than what is cut of it.
+  void alone(const Outline& t, const std::string& where) {
+    reach(t, where);
+    if (facts_ != nullptr) within(t, *facts_, where);
+  }
   void error(std::string path, std::string code, std::map<std::string, double> args = {}, std::string detail = {}) {
     out_.push_back({Severity::error, std::move(path), std::move(code), std::move(args), std::move(detail)});
   }
@@ -58,6 +62,8 @@ class RegionChecks {
   void warn(std::string path, std::string code, std::map<std::string, double> args = {}, std::string detail = {}) {
     out_.push_back({Severity::warning, std::move(path), std::move(code), std::move(args), std::move(detail)});
   }
+  void reach(const Outline& t, const std::string& where);
+  void within(const Outline& t, const SpecimenFacts& f, const std::string& where);
   void paths(const Outline& t, const std::string& where);
   void size(const Outline& t, const std::string& where);
   void leaf(const Region& region, const std::string& where);
@@ -123,6 +129,18 @@ void RegionChecks::leaf(const Region& r, const std::string& where) {
   if (ends && k != RegionKind::capsule && below(length(r.to_mm - r.from_mm), least)) error(where + "/to_mm", "empty_target");
   if ((ends || k == RegionKind::sphere) && below(2 * std::max(r.radius_mm, r.end_radius_mm), least))
     error(where + "/radius_mm", "empty_target");
+}
+
+/// Whether a bur gets to the floor: its shank does not cut, and goes in only where it is narrower than the outline.
+void RegionChecks::reach(const Outline& t, const std::string& where) {
+  const double narrow = t.shape == "box" ? std::min(t.box_size_mm.x, t.box_size_mm.y) : t.width_mm;
+  double longest = 0;
+  for (const Bur& bur : s_.instruments) {
+    if (below(narrow, 2 * bur.radius_mm)) continue;
+    if (!below(narrow, 2 * bur.shank_radius_mm)) return;
+    longest = std::max(longest, bur.radius_mm + bur.neck_length_mm);  // the neck begins at the pivot
+  }
+  if (longest > 0 && below(longest, t.depth_mm)) warn(where + "/depth_mm", "bur_short", {{"value", longest}, {"limit", t.depth_mm}});
 }
 
 /// A tissue is one of the exercise's and occurs in the specimen; a lesion needs a grown tooth with one, or carious tissue.
@@ -214,7 +232,7 @@ void check_target(const Scenario& scenario, const SpecimenFacts* specimen, std::
   checks.tree(scenario.target, "/target");
   if (!ends(scenario.target)) checks.error("/target", "target_endless");
   check_sides(scenario, out);
-  if (specimen != nullptr && scenario.target.kind == RegionKind::outline) checks.within(scenario.target.outline, *specimen, "/target");
+  if (scenario.target.kind == RegionKind::outline) checks.alone(scenario.target.outline, "/target");
   for (std::size_t i = 0; i < scenario.protected_parts.size(); ++i)
     if (const auto& region = scenario.protected_parts[i].region) checks.tree(*region, "/protected/" + std::to_string(i) + "/region");
 }

@@ -61,6 +61,7 @@ QString reason_of_tools(const Finding& f) {
   if (c == "head_short") return CliText::tr("a bur’s head is shorter than 6 voxels");
   if (c == "neck_wider_than_ball") return CliText::tr("a bur’s neck is wider than its ball");
   if (c == "bur_wider_than_target") return CliText::tr("no bur fits into the target");
+  if (c == "bur_short") return CliText::tr("no bur reaches the floor before its shank touches");
   if (c == "two_spindles") return CliText::tr("only one handpiece can be used at a time");
   if (c == "spindle_missing") return CliText::tr("vibration and sound need a handpiece (%1)").arg(text(f.detail));
   if (c == "heat_missing") return CliText::tr("%1 is graded, and the exercise does not reckon coolant and heat").arg(text(f.detail));

@@ -183,6 +183,9 @@ QString tool_message(const Finding& f, const Region* whole, double value, double
   if (c == u"bur_wider_than_target") {
     return CheckText::tr("No bur fits: the smallest is %1 wide, the target %2.").arg(mm(value), mm(limit));
   }
+  if (c == u"bur_short") {
+    return CheckText::tr("No bur reaches the floor: the longest cuts %1 deep before its shank touches, and the target is %2 deep.").arg(mm(value), mm(limit));
+  }
   if (c == u"two_spindles") return CheckText::tr("Only one handpiece can be used at a time.");
   if (c == u"spindle_missing") {
     return f.detail == "sound" ? CheckText::tr("The drilling sound needs a handpiece.")

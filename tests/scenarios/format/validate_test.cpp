@@ -179,6 +179,23 @@ TEST(Validate, WarnsOfWhatTheBurCannotCut) {
   EXPECT_THAT(after([](Scenario& s) { s.tissues[0].speed_mm_s = 0; }), ElementsAre("warning /tissues nothing_can_be_cut"));
 }
 
+TEST(Validate, WarnsOfAFloorThatNoBurReaches) {
+  using ::testing::ElementsAre;
+  const auto with = [](double depth_mm, double width_mm) {
+    return after([&](Scenario& s) {
+      Outline& t = s.target.outline;
+      t.depth_mm = depth_mm;
+      t.width_mm = width_mm;
+      for (Vec3& p : t.paths[0]) p.z = -depth_mm;
+      s.instruments[0].shank_radius_mm = 0.9;  // the neck of 4 mm begins 0.7 mm above the tip
+      s.rubric.criteria.resize(1);             // no criterion of depth
+    });
+  };
+  EXPECT_THAT(with(4.7, 1.6), IsEmpty());
+  EXPECT_THAT(with(4.8, 1.6), ElementsAre("warning /target/depth_mm bur_short"));
+  EXPECT_THAT(with(4.8, 1.8), IsEmpty()) << "the shank goes in";
+}
+
 TEST(Validate, WarnsOfABurThatIsNotWhatItsCatalogueNumberNames) {
   using ::testing::ElementsAre;
   EXPECT_THAT(after([](Scenario& s) { s.instruments[0].radius_mm = s.target.outline.corner_radius_mm = 0.75; }),
