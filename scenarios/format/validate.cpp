@@ -70,6 +70,12 @@ class Checks {
     return std::ranges::any_of(s_.tissues, [&](const ScenarioTissue& t) { return t.tissue == tissue; });
   }
 
+  /// The tissue that a part protects, by itself or as a region; nullopt of any other region.
+  static std::optional<Tissue> whole_tissue(const Protected& part) {
+    if (part.region && part.region->kind == RegionKind::tissue) return part.region->tissue;
+    return part.tissue;
+  }
+
   /// Every number of the document against the one table (ranges.h).
   void ranges(const nlohmann::json& node, const std::string& pointer) {
     if (node.is_object()) {
@@ -108,9 +114,10 @@ class Checks {
       const auto tissue = s_.protected_parts[i].tissue;
       if (tissue && !has_tissue(*tissue))
         error(at("/protected", i), "protected_missing", {}, std::string(key_of_scenario_tissue(*tissue)));
-      const auto same = [&](const Protected& other) { return tissue ? other.tissue == tissue : other == s_.protected_parts[i]; };
+      const auto whole = whole_tissue(s_.protected_parts[i]);
+      const auto same = [&](const Protected& other) { return whole ? whole_tissue(other) == whole : other == s_.protected_parts[i]; };
       if (std::ranges::find_if(s_.protected_parts, same) < s_.protected_parts.begin() + static_cast<std::ptrdiff_t>(i))
-        warn(at("/protected", i), "protected_twice", {}, tissue ? std::string(key_of_scenario_tissue(*tissue)) : "region");
+        warn(at("/protected", i), "protected_twice", {}, whole ? std::string(key_of_scenario_tissue(*whole)) : "region");
     }
     const bool cuttable = std::ranges::any_of(s_.tissues, [](const ScenarioTissue& t) { return t.speed_mm_s > 0; });
     if (!cuttable) warn("/tissues", "nothing_can_be_cut");

@@ -81,6 +81,11 @@ TEST(Validate, WarnsOfWhatIsProtectedTwice) {
   ball.kind = RegionKind::sphere;
   ball.radius_mm = 1;
   EXPECT_THAT(after([&](Scenario& s) { s.protected_parts = {Protected(ball), Protected(ball)}; }), Contains(found));
+  Region plastic;
+  plastic.kind = RegionKind::tissue;
+  plastic.tissue = Tissue::plastic;
+  EXPECT_THAT(after([&](Scenario& s) { s.protected_parts = {Tissue::plastic, Protected(plastic, Damage::touch)}; }), Contains(found))
+      << "as a tissue, and as a region of it";
   Region other = ball;
   other.radius_mm = 2;
   EXPECT_THAT(after([&](Scenario& s) { s.protected_parts = {Protected(ball), Protected(other), Tissue::plastic}; }), IsEmpty());
