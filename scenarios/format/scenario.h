@@ -157,9 +157,14 @@ struct Scenario {
   friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 
+/// The tissue that a part protects, by itself or as a region of it; nullopt of any other region.
+inline std::optional<Tissue> whole_tissue(const Protected& part) noexcept {
+  return part.region && part.region->kind == RegionKind::tissue ? std::optional(part.region->tissue) : part.tissue;
+}
+
 inline bool is_protected(const Scenario& scenario, Tissue tissue) noexcept {
   for (const Protected& one : scenario.protected_parts)
-    if (one.tissue == tissue) return true;
+    if (whole_tissue(one) == tissue) return true;
   return false;
 }
 

@@ -70,12 +70,6 @@ class Checks {
     return std::ranges::any_of(s_.tissues, [&](const ScenarioTissue& t) { return t.tissue == tissue; });
   }
 
-  /// The tissue that a part protects, by itself or as a region; nullopt of any other region.
-  static std::optional<Tissue> whole_tissue(const Protected& part) {
-    if (part.region && part.region->kind == RegionKind::tissue) return part.region->tissue;
-    return part.tissue;
-  }
-
   /// Every number of the document against the one table (ranges.h).
   void ranges(const nlohmann::json& node, const std::string& pointer) {
     if (node.is_object()) {

@@ -283,7 +283,7 @@ void PointsForm::follow_model() {
   own_->setChecked(s.self_assessment);
   dry_->setVisible(heat);
   dry_->setChecked(fails("dry_cutting"));
-  damage_->setVisible(fails("protected_damage") || std::ranges::any_of(s.protected_parts, [](const Protected& p) { return p.tissue != Tissue::pulp; }));
+  damage_->setVisible(fails("protected_damage") || std::ranges::any_of(s.protected_parts, [](const Protected& p) { return whole_tissue(p) != Tissue::pulp; }));
   damage_->setChecked(fails("protected_damage"));
   pulp_->setEnabled(pulp);
   pulp_->setChecked(fails("pulp_exposure"));

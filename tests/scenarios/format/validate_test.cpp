@@ -91,6 +91,22 @@ TEST(Validate, WarnsOfWhatIsProtectedTwice) {
   EXPECT_THAT(after([&](Scenario& s) { s.protected_parts = {Protected(ball), Protected(other), Tissue::plastic}; }), IsEmpty());
 }
 
+TEST(Validate, TakesPulpThatIsProtectedAsARegionForProtected) {
+  Region pulp;
+  pulp.kind = RegionKind::tissue;
+  pulp.tissue = Tissue::pulp;
+  const auto with = [&](std::vector<Protected> parts) {
+    return after([&](Scenario& s) {
+      s.tissues.push_back({Tissue::pulp, 1, 1});
+      s.protected_parts = std::move(parts);
+      s.rubric.critical = {"pulp_exposure"};
+    });
+  };
+  EXPECT_THAT(with({}), ::testing::ElementsAre("error /rubric/critical protected_missing"));
+  EXPECT_THAT(with({Tissue::pulp}), IsEmpty());
+  EXPECT_THAT(with({Protected(pulp, Damage::touch)}), IsEmpty());
+}
+
 TEST(Validate, PhenomenaMustFitTogetherAndWhatIsGradedMustBeReckoned) {
   using ::testing::Contains;
   EXPECT_THAT(after([](Scenario& s) { s.phenomena = {"spindle-turbine", "vibration", "sound", "heat", "friction"}; }), IsEmpty());

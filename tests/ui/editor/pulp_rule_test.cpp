@@ -161,6 +161,21 @@ TEST(editor_model, neighbours_of_an_exercise_that_had_none_are_protected_as_in_a
   EXPECT_EQ(model.scenario(), class_one().draft);
 }
 
+TEST(editor_model, pulp_that_is_protected_as_a_region_is_not_protected_once_more) {
+  EditorStart start = class_one();
+  Region pulp;
+  pulp.kind = RegionKind::tissue;
+  pulp.tissue = Tissue::pulp;
+  start.draft.protected_parts = {Protected(pulp, Damage::touch)};
+  EditorModel model(start);
+  SpecimenSource other = model.scenario().specimen;
+  other.seed = 3;
+  ASSERT_TRUE(model.set_tooth(other, QStringLiteral("seed")));
+  ASSERT_TRUE(model.set_critical("pulp_exposure", EditorModel::Listed::no));
+  ASSERT_TRUE(model.set_critical("pulp_exposure", EditorModel::Listed::yes));
+  EXPECT_EQ(model.scenario().protected_parts, start.draft.protected_parts);
+}
+
 TEST(editor_model, the_rule_about_damage_is_switched_where_more_than_pulp_is_protected) {
   EditorModel model(class_one());
   PointsForm form(model);
