@@ -58,6 +58,20 @@ std::string name_beside_the_draft(const std::filesystem::path& file) {
   return name.empty() ? "volume.nrrd" : name;
 }
 
+/// Usual figures, but those of the author where the tissue was there. The paper's block has the paper's, and a code from 16 on means
+/// another tissue in a grown tooth than in a file.
+std::vector<ScenarioTissue> tissues_of_file(const std::vector<Tissue>& tissues, const Scenario& before) {
+  constexpr std::size_t kFirstOwn = 16;
+  const bool from_file = before.specimen.generator.empty();
+  std::vector<ScenarioTissue> out = usual_tissues(tissues);
+  for (ScenarioTissue& t : out) {
+    const bool means_the_same = from_file || (before.specimen.grown_fdi() != 0 && index_of(t.tissue) < kFirstOwn);
+    const auto kept = std::ranges::find(before.tissues, t.tissue, &ScenarioTissue::tissue);
+    if (means_the_same && kept != before.tissues.end()) t = *kept;
+  }
+  return out;
+}
+
 /// A box that the panel's width limits, not its longest entry.
 void shrinks(QComboBox& box) {
   box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -259,7 +273,7 @@ void SpecimenForm::pick() {
     SpecimenSource source;
     source.volume = *name;
     source.voxel_mm = *stated_voxel_mm(volume->grid.voxel_mm);
-    if (!model_.set_specimen(source, usual_tissues(facts_of(*volume).tissues))) {
+    if (!model_.set_specimen(source, tissues_of_file(facts_of(*volume).tissues, model_.scenario()))) {
       band_->show_message(Band::Kind::bad, tr("This tooth cannot be used."), tr("Nothing was changed."));
       return;
     }

@@ -157,6 +157,30 @@ TEST_F(EditorPages, a_volume_is_taken_whatever_its_file_is_called) {
   EXPECT_EQ(page->model().scenario().specimen.volume, "Zähne 12_30.nrrd");
 }
 
+TEST_F(EditorPages, a_corrected_volume_keeps_the_figures_that_the_author_set_for_its_tissues) {
+  const auto page = open();
+  SpecimenSource block;
+  block.generator = "block";
+  block.voxel_mm = 0.4;
+  const auto volume = make_specimen(block, {});
+  ASSERT_TRUE(volume.has_value());
+  file = folder.filePath(QStringLiteral("block.nrrd"));
+  ASSERT_TRUE(write_nrrd(*volume, file.toStdString()));
+  const auto choose = [&] {
+    for (QPushButton* b : page->findChildren<QPushButton*>())
+      if (b->accessibleName() == QStringLiteral("Choose a volume…")) b->click();
+  };
+  choose();
+  const auto& tissues = page->model().scenario().tissues;
+  ASSERT_EQ(tissues.size(), 1u);
+  ASSERT_TRUE(page->model().set_tissue_figures(0, 1.25, 4.5));
+  choose();
+  EXPECT_EQ(page->model().scenario().specimen.volume, "block-2.nrrd");
+  ASSERT_EQ(tissues.size(), 1u);
+  EXPECT_EQ(tissues[0].stiffness_n_per_mm, 1.25);
+  EXPECT_EQ(tissues[0].speed_mm_s, 4.5);
+}
+
 TEST_F(EditorPages, a_volume_of_a_fineness_that_no_exercise_holds_is_refused_with_its_figure) {
   const auto page = open();
   const Scenario before = page->model().scenario();
