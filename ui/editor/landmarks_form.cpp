@@ -179,8 +179,10 @@ void LandmarksForm::follow_model() {
   const SpecimenLandmarks& landmarks = model_.landmarks();
   propose_->setEnabled(model_.takes_landmarks() && !job_->running());
   marked_->setVisible(!landmarks.marks.empty());
-  if (landmarks.fdi != 0 && landmarks.fdi != shown_fdi_) {
-    shown_fdi_ = landmarks.fdi;
+  // The file that an exercise moves to is mostly of the tooth that it was on.
+  const int fdi = landmarks.fdi != 0 ? landmarks.fdi : model_.scenario().specimen.grown_fdi();
+  if (fdi != 0 && fdi != shown_fdi_) {
+    shown_fdi_ = fdi;
     tooth_->setCurrentIndex(tooth_->findData(shown_fdi_));
   }
   if (landmarks.marks.empty()) return;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QSignalSpy>
 #include <limits>
 
@@ -9,6 +10,7 @@
 #include "tests/ui/editor/some_landmarks.h"
 #include "ui/editor/landmark_handles.h"
 #include "ui/editor/landmark_names.h"
+#include "ui/editor/landmarks_form.h"
 
 namespace cusp::test {
 namespace {
@@ -122,6 +124,18 @@ TEST(Landmarks, of_a_grown_tooth_are_not_edited) {
   EXPECT_FALSE(model.accept_landmarks());
   EXPECT_TRUE(model.landmarks().empty());
   EXPECT_EQ(model.stack().count(), 0);
+}
+
+TEST(Landmarks, are_proposed_for_the_tooth_that_the_exercise_moves_from) {
+  EditorStart start = class_one();
+  start.draft.specimen.fdi = 46;
+  EditorModel model(start);
+  const LandmarksForm form(model);
+  SpecimenSource file;
+  file.volume = "tooth.nrrd";
+  file.voxel_mm = start.draft.specimen.voxel_mm;
+  ASSERT_TRUE(model.set_specimen(file, start.draft.tissues));
+  EXPECT_EQ(form.findChild<QComboBox*>()->currentData().toInt(), 46);
 }
 
 TEST(Landmarks, go_with_the_file_that_they_are_of) {
