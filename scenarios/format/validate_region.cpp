@@ -143,7 +143,7 @@ void RegionChecks::reach(const Outline& t, const std::string& where) {
   if (longest > 0 && below(longest, t.depth_mm)) warn(where + "/depth_mm", "bur_short", {{"value", longest}, {"limit", t.depth_mm}});
 }
 
-/// A tissue is one of the exercise's and occurs in the specimen; a lesion needs a grown tooth with one, or carious tissue.
+/// A tissue is one of the exercise's and occurs in the specimen; a lesion needs a grown tooth with one, not of plastic, or carious tissue.
 void RegionChecks::of_voxels(const Region& r, const std::string& where) {
   const auto listed = [&](Tissue t) { return std::ranges::any_of(s_.tissues, [t](const ScenarioTissue& own) { return own.tissue == t; }); };
   const auto occurs = [&](Tissue t) { return facts_ == nullptr || std::ranges::find(facts_->tissues, t) != facts_->tissues.end(); };
@@ -154,7 +154,7 @@ void RegionChecks::of_voxels(const Region& r, const std::string& where) {
   }
   const auto carious = [&](Tissue t) { return listed(t) && occurs(t); };
   const bool grown = s_.specimen.generator == "tooth";
-  if (grown ? s_.specimen.lesions.empty() : !carious(Tissue::carious_dentine) && !carious(Tissue::carious_enamel))
+  if (grown ? s_.specimen.lesions.empty() || s_.specimen.typodont : !carious(Tissue::carious_dentine) && !carious(Tissue::carious_enamel))
     error(where, "lesion_missing");
 }
 

@@ -278,6 +278,8 @@ TEST(RegionFormat, ALeafOfVoxelsNeedsItsTissueOrLesion) {
   EXPECT_TRUE(lesion_missing());
   tooth.specimen.lesions = {{}};
   EXPECT_FALSE(lesion_missing());
+  tooth.specimen.typodont = true;
+  EXPECT_TRUE(lesion_missing()) << "none is grown in plastic";
   Scenario s = sound_scenario();
   s.target = all.parts[8];
   SpecimenFacts facts;
