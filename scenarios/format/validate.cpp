@@ -50,6 +50,7 @@ class Checks {
     leeway();
     landmarks();
     critical_events();
+    ridges();
     rubric();
     if (facts_ != nullptr) specimen();
     errors_first(out_);
@@ -226,6 +227,16 @@ class Checks {
     if (x >= acc) return acc < ideal ? 0.5 + 0.5 * (x - acc) / (ideal - acc) : 0.5;
     if (x <= none) return 0;
     return 0.5 * (x - none) / (acc - none);
+  }
+
+  /// A tooth of plastic and its neighbours are one tissue: where it ends between them nobody knows.
+  void ridges() {
+    const auto& around = s_.specimen.around;
+    const bool beside = std::ranges::any_of(around, [](const std::string& key) { return key == "neighbours" || key == "jaw"; });
+    if (!s_.specimen.typodont || !beside) return;
+    for (std::size_t i = 0; i < s_.rubric.criteria.size(); ++i)
+      if (const std::string& metric = s_.rubric.criteria[i].metric; metric.starts_with("ridge_"))
+        error(at("/rubric/criteria", i, "/metric"), "ridge_of_plastic", {}, metric);
   }
 
   void critical_events() {

@@ -47,7 +47,8 @@ std::optional<double> stated_voxel_mm(double voxel_mm) noexcept;
 ///   rubric names twice), no_criteria, weight_zero, bands_not_ordered,
 ///   pass_unreachable, protected_missing (pulp_exposure needs pulp protected; a protected tissue must be a tissue of
 ///   the exercise and occur in the specimen), two_spindles, spindle_missing (vibration and sound need one), heat_missing (a
-///   criterion or critical event of coolant in an exercise without heat); with a specimen: tissue_missing, target_outside,
+///   criterion or critical event of coolant in an exercise without heat), ridge_of_plastic (a marginal ridge is
+///   graded on a tooth of plastic between neighbours of plastic); with a specimen: tissue_missing, target_outside,
 ///   voxel_mismatch, landmark_outside (more than 1 mm beside the tooth's box);
 /// warnings: bur_not_of_number (named by a number of the catalogue that has another head or diameter; "limit": that
 ///   diameter, mm), feature_thin (below 2.5 voxels), bur_small (radius below 3 voxels), head_short (below 6),

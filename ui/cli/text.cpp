@@ -81,6 +81,7 @@ QString reason(const Finding& f, const TissueNames& own) {
   if (c == "lesion_missing") return CliText::tr("the target follows a carious lesion, and the tooth has none");
   if (c == "nothing_protected") return CliText::tr("damage of a protected part fails the attempt, and nothing is protected");
   if (c == "critical_twice") return CliText::tr("%1 is named twice among what fails the attempt").arg(text(f.detail));
+  if (c == "ridge_of_plastic") return CliText::tr("%1 cannot be measured where tooth and neighbours are of one plastic").arg(text(f.detail));
   if (c == "no_criteria") return CliText::tr("the rubric has no criterion");
   if (c == "weight_zero") return CliText::tr("%1 brings no points").arg(text(f.detail));
   if (c == "weights_zero") return CliText::tr("no criterion brings points");

@@ -208,6 +208,10 @@ QString check_message(const Finding& f, const Region* whole) {
   if (c == u"critical_twice") {
     return CheckText::tr("%1 stands twice among what fails the attempt. Switch it off and on again.").arg(metric_name(f.detail, whole));
   }
+  if (c == u"ridge_of_plastic") {
+    return CheckText::tr("%1 cannot be measured where tooth and neighbours are of plastic: both are one material. Remove it, or the neighbours.")
+        .arg(metric_name(f.detail, whole));
+  }
   if (c == u"no_criteria") return CheckText::tr("Nothing is graded yet. Add a criterion.");
   if (c == u"target_missing") return CheckText::tr("%1 is of a target that this exercise does not have. Remove it.").arg(metric_name(f.detail, whole));
   if (c == u"weight_zero") return CheckText::tr("%1 has no points. Give it some, or remove it.").arg(metric_name(f.detail, whole));

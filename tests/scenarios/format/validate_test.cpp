@@ -200,6 +200,26 @@ TEST(Validate, WarnsOfWhatTheBurCannotCut) {
   EXPECT_THAT(after([](Scenario& s) { s.tissues[0].speed_mm_s = 0; }), ElementsAre("warning /tissues nothing_can_be_cut"));
 }
 
+TEST(Validate, RefusesAMarginalRidgeBetweenNeighboursOfTheSamePlastic) {
+  const auto of = [](const SpecimenSource& tooth) {
+    return after([&](Scenario& s) {
+      s.specimen = tooth;
+      s.rubric.criteria[1] = {"ridge_mesial", 40, {1.2, 1.6, 2.0, 100, 100, 100}};
+    });
+  };
+  SpecimenSource tooth;
+  tooth.generator = "tooth";
+  tooth.fdi = 36;
+  tooth.around = {"neighbours"};
+  EXPECT_THAT(of(tooth), IsEmpty()) << "natural neighbours have tissues of their own";
+  tooth.typodont = true;
+  EXPECT_THAT(of(tooth), ::testing::ElementsAre("error /rubric/criteria/1/metric ridge_of_plastic"));
+  tooth.around = {"jaw"};
+  EXPECT_THAT(of(tooth), ::testing::ElementsAre("error /rubric/criteria/1/metric ridge_of_plastic")) << "a jaw has neighbours";
+  tooth.around = {"gingiva"};
+  EXPECT_THAT(of(tooth), IsEmpty());
+}
+
 TEST(Validate, WarnsOfAFloorThatNoBurReaches) {
   using ::testing::ElementsAre;
   const auto with = [](double depth_mm, double width_mm) {
