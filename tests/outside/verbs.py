@@ -99,6 +99,19 @@ with Desk(sys.argv[1]) as desk:
     made = desk.json("template", "fit", "class-1-adhesive", "--tooth", "45", "--set", "depth=1.5", "--out", desk.path("made"))
     check(made["scenario"] == desk.path("made", "scenario.json"), str(made))
     check(desk.json("validate", desk.path("made")) == {"valid": True, "findings": []}, "a fitted exercise has no finding")
+    # What a template made is made anew in its place; what somebody edited since is kept.
+    again = ("template", "fit", "class-1-adhesive", "--tooth", "45", "--set", "depth=1.6", "--out", desk.path("made"))
+    check(desk.run(*again)[0] == 0, "a template's exercise is made anew")
+    with open(made["scenario"], encoding="utf-8") as f:
+        edited = json.load(f)
+    check(edited["target"]["depth_mm"] == 1.6, str(edited["target"]))
+    edited["title"]["en"] = "An author's own"
+    with open(made["scenario"], "w", encoding="utf-8") as f:
+        json.dump(edited, f)
+    status, out, err = desk.run(*again)
+    check(status == 1 and out == "" and made["scenario"] in err, f"an edited exercise: exit {status}: {out}{err}")
+    with open(made["scenario"], encoding="utf-8") as f:
+        check(json.load(f) == edited, "an edited exercise was written over")
     # A tooth of one's own, by landmarks that the program proposes.
     check(desk.run("specimen", "tooth", "--fdi", "46", "--seed", "3", "--voxel-mm", "0.2", "-o", desk.path("own.nrrd"))[0] == 0, "a tooth is made")
     own = desk.json("template", "fit", "class-1-adhesive", "--tooth", "46", "--volume", desk.path("own.nrrd"), "--out", desk.path("own"))

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scenarios/format/keys.h"
+#include "scenarios/format/read.h"
 #include "scenarios/format/validate.h"
 #include "scenarios/format/write.h"
 #include "scenarios/import/nrrd.h"
@@ -135,6 +136,20 @@ nlohmann::ordered_json proposed_json(const SpecimenLandmarks& landmarks) {
   return out;
 }
 
+/// Whether a file stands there that no template would make again: an author's work, or something else that is not ours to replace.
+bool is_work(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return false;
+  const auto there = read_scenario_file(file);
+  if (!there || !there->made_with || there->specimen.generator != "tooth") return true;
+  const auto made = fit_template({.key = there->made_with->key,
+                                  .fdi = there->specimen.fdi,
+                                  .seed = there->specimen.seed,
+                                  .values = there->made_with->values,
+                                  .id = there->id});
+  return !made || *made != *there;
+}
+
 int fit(const TemplateOptions& o) {
   const std::filesystem::path file = std::filesystem::path(o.out) / "scenario.json", tooth_file = std::filesystem::path(o.out) / kToothFile;
   if (const auto no = refuse_outputs({file, tooth_file, o.json.file}, {}, {o.volume})) return failed(*no);
@@ -156,6 +171,9 @@ int fit(const TemplateOptions& o) {
   }
   const auto scenario = fit_template(request);
   if (!scenario) return failed(describe_fit(scenario.error(), o.key));
+  if (is_work(file))
+    return failed(Message{CliText::tr("%1 is there already, and somebody may have edited it.").arg(QString::fromStdString(file.string())),
+                          CliText::tr("Nothing was written. Give another folder.")});
   if (const auto fits = writable_folder(o.out); !fits) return failed(nothing_written_to(o.out, fits.error().detail));
   nlohmann::ordered_json json = {{"scenario", file.string()}, {"id", scenario->id.text()}};
   if (own) {
