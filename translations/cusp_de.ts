@@ -1885,6 +1885,26 @@
         <source>%1 is protected twice: what is removed of it counts twice. Take one of the two out of the file.</source>
         <translation>%1 ist zweimal geschützt: Was davon abgetragen wird, zählt doppelt. Nehmen Sie eines der beiden aus der Datei.</translation>
     </message>
+    <message>
+        <source>A mesial or distal wall of the target stands on the other side of this tooth. Draw the target anew, or choose the tooth’s right number.</source>
+        <translation>Eine mesiale oder distale Wand des Ziels steht auf der anderen Seite dieses Zahns. Zeichnen Sie das Ziel neu, oder wählen Sie die richtige Nummer des Zahns.</translation>
+    </message>
+    <message>
+        <source>The target names mesial and distal walls, and the file does not state where mesial lies. Choose the tooth’s number and propose landmarks.</source>
+        <translation>Das Ziel benennt mesiale und distale Wände, und die Datei gibt nicht an, wo mesial liegt. Wählen Sie die Nummer des Zahns und lassen Sie Landmarken vorschlagen.</translation>
+    </message>
+    <message>
+        <source>The catalogue’s bur %1 has another shape or diameter (%2). Add it from the catalogue again, or change its diameter.</source>
+        <translation>Der Bohrer %1 des Katalogs hat eine andere Form oder einen anderen Durchmesser (%2). Fügen Sie ihn neu aus dem Katalog hinzu, oder ändern Sie seinen Durchmesser.</translation>
+    </message>
+    <message>
+        <source>No bur reaches the floor: the longest cuts %1 deep before its shank touches, and the target is %2 deep.</source>
+        <translation>Kein Bohrer erreicht den Boden: Der längste schleift %1 tief, bevor sein Schaft anstößt, und das Ziel ist %2 tief.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be measured where tooth and neighbours are of plastic: both are one material. Remove it, or the neighbours.</source>
+        <translation>%1 lässt sich nicht messen, wo Zahn und Nachbarn aus Kunststoff sind: Beide sind ein Material. Entfernen Sie das Kriterium oder die Nachbarn.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Cli</name>
@@ -3318,6 +3338,38 @@
         <source>%1 brings no points</source>
         <translation>%1 bringt keine Punkte</translation>
     </message>
+    <message>
+        <source>%1 is there already, and somebody may have edited it.</source>
+        <translation>%1 gibt es schon, und jemand kann es bearbeitet haben.</translation>
+    </message>
+    <message>
+        <source>Nothing was written. Give another folder.</source>
+        <translation>Es wurde nichts geschrieben. Einen anderen Ordner angeben.</translation>
+    </message>
+    <message>
+        <source>a region</source>
+        <translation>ein Bereich</translation>
+    </message>
+    <message>
+        <source>the catalogue’s bur %1 has another shape or diameter</source>
+        <translation>der Bohrer %1 des Katalogs hat eine andere Form oder einen anderen Durchmesser</translation>
+    </message>
+    <message>
+        <source>no bur reaches the floor before its shank touches</source>
+        <translation>kein Bohrer erreicht den Boden, bevor sein Schaft anstößt</translation>
+    </message>
+    <message>
+        <source>%1 cannot be measured where tooth and neighbours are of one plastic</source>
+        <translation>%1 lässt sich nicht messen, wo Zahn und Nachbarn aus einem Kunststoff sind</translation>
+    </message>
+    <message>
+        <source>a mesial or distal wall of the target stands on the other side of this tooth</source>
+        <translation>eine mesiale oder distale Wand des Ziels steht auf der anderen Seite dieses Zahns</translation>
+    </message>
+    <message>
+        <source>the target names mesial and distal walls, and the file does not state where mesial lies</source>
+        <translation>das Ziel benennt mesiale und distale Wände, und die Datei gibt nicht an, wo mesial liegt</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
@@ -4202,6 +4254,10 @@
         <source>Close before the work has ended?</source>
         <translation>Schließen, bevor die Arbeit beendet ist?</translation>
     </message>
+    <message>
+        <source>No appeal pack was saved as %1.</source>
+        <translation>Unter %1 wurde keine Einspruchsakte gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DeviationLegend</name>
@@ -4304,6 +4360,22 @@
     <message>
         <source>Your changes last until you sign out</source>
         <translation>Ihre Änderungen gelten bis zur Abmeldung</translation>
+    </message>
+    <message>
+        <source>The device holds until Cusp is closed.</source>
+        <translation>Das Gerät gilt, bis Cusp geschlossen wird.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written, so the next start does not know the device.</source>
+        <translation>%1 kann nicht geschrieben werden, darum kennt der nächste Start das Gerät nicht.</translation>
+    </message>
+    <message>
+        <source>The file is sound and will be used until Cusp is closed.</source>
+        <translation>Die Datei ist in Ordnung und wird verwendet, bis Cusp geschlossen wird.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written, so the next start does not know the file.</source>
+        <translation>%1 kann nicht geschrieben werden, darum kennt der nächste Start die Datei nicht.</translation>
     </message>
 </context>
 <context>
@@ -8736,6 +8808,23 @@
         <source>You change your own password under your name at the top.</source>
         <translation>Ihr eigenes Passwort ändern Sie oben unter Ihrem Namen.</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>name, number</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>another station</source>
+        <translation>eine andere Station</translation>
+    </message>
+    <message>
+        <source>Perhaps the same person as %1. This account was made by: %2.</source>
+        <translation>Vielleicht dieselbe Person wie %1. Dieses Konto wurde angelegt von: %2.</translation>
+    </message>
+    <message>
+        <source>Perhaps the same person as %1. That account was made by: %2.</source>
+        <translation>Vielleicht dieselbe Person wie %1. Jenes Konto wurde angelegt von: %2.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Performance</name>
@@ -9047,6 +9136,14 @@
         <source>The attempts could not be read.</source>
         <translation>Die Versuche konnten nicht gelesen werden.</translation>
     </message>
+    <message>
+        <source>No attempt has points yet.</source>
+        <translation>Noch kein Versuch hat Punkte.</translation>
+    </message>
+    <message>
+        <source>The attempts of this chart could not be read.</source>
+        <translation>Die Versuche dieses Diagramms konnten nicht gelesen werden.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::PinSlips</name>
@@ -9200,6 +9297,10 @@
     <message>
         <source>Stop measuring</source>
         <translation>Messung abbrechen</translation>
+    </message>
+    <message>
+        <source>Protected part damaged: not passed</source>
+        <translation>Geschütztes verletzt: nicht bestanden</translation>
     </message>
 </context>
 <context>
@@ -10417,6 +10518,10 @@
         <source>As the program</source>
         <translation>Wie das Programm</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::SignIn</name>
@@ -11068,10 +11173,6 @@ Ihr bester davor</translation>
         <translation>Um zurückzugehen, stellen Sie eine Sicherung mit „cusp restore ORDNER NEU.db“ als neue Datenbank wieder her. Nichts wird überschrieben.</translation>
     </message>
     <message>
-        <source>One a day, the newest %1 are kept in %2</source>
-        <translation>Eine am Tag, die neuesten %1 bleiben in %2</translation>
-    </message>
-    <message>
         <source>There is no backup yet.</source>
         <translation>Es gibt noch keine Sicherung.</translation>
     </message>
@@ -11195,6 +11296,14 @@ Ihr bester davor</translation>
     <message>
         <source>How much the records hold could not be read.</source>
         <translation>Wie viel der Datenbestand enthält, ließ sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>One a day. The newest %1 of these, and as many of your own, are kept in %2</source>
+        <translation>Eine am Tag. Die neuesten %1 davon und ebenso viele eigene bleiben in %2</translation>
+    </message>
+    <message>
+        <source>The folder cannot be read: %1.</source>
+        <translation>Der Ordner kann nicht gelesen werden: %1.</translation>
     </message>
 </context>
 <context>
@@ -14766,6 +14875,18 @@ Ihr bester davor</translation>
     <message>
         <source>Backups</source>
         <translation>Sicherungen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>%1 kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>Those of other stations stand last.</source>
+        <translation>Sicherungen anderer Stationen stehen am Ende.</translation>
+    </message>
+    <message>
+        <source>It is of another station, whose records take the place of these.</source>
+        <translation>Sie stammt von einer anderen Station, deren Aufzeichnungen an die Stelle der hiesigen treten.</translation>
     </message>
 </context>
 </TS>
