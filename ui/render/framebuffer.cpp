@@ -31,6 +31,17 @@ bool draws_in_software() {
 
 Multisampling usual_multisampling() { return draws_in_software() ? Multisampling::off : Multisampling::four; }
 
+FramebufferSize drawable(FramebufferSize wanted) {
+  GLint most_px = 0;
+  std::array<GLint, 2> viewport_px{};
+  glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most_px);
+  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport_px.data());
+  const double share = std::min({1.0, std::min(most_px, viewport_px[0]) / static_cast<double>(wanted.width_px),
+                                 std::min(most_px, viewport_px[1]) / static_cast<double>(wanted.height_px)});
+  const auto scaled = [share](int side_px) { return std::max(1, static_cast<int>(share * side_px)); };
+  return {scaled(wanted.width_px), scaled(wanted.height_px)};
+}
+
 void Framebuffer::attach(Buffers& to, FramebufferSize size, int samples) {
   glGenFramebuffers(1, &to.framebuffer);
   glGenRenderbuffers(1, &to.colour);

@@ -22,6 +22,9 @@ enum class Multisampling : std::uint8_t { off, four };
 /// Four samples where a graphics card draws; off in software, where they cost two to four frames.
 Multisampling usual_multisampling();
 
+/// `wanted`, or the largest size of its shape that the current context draws into: an old graphics card ends at 4096 or 8192 pixels a side.
+FramebufferSize drawable(FramebufferSize wanted);
+
 enum class PixelOrder : std::uint8_t { rgba, bgra };  // of the bytes of a pixel
 
 class Framebuffer {

@@ -76,10 +76,11 @@ class ViewPainter::Canvas {
       picture_ = ToothPicture::create(&why);
       in_software_ = draws_in_software();
     }
-    const FramebufferSize size{order.size_px.width(), order.size_px.height()};
-    if (picture_ && (!framebuffer_ || framebuffer_->size() != size)) {
+    const FramebufferSize wanted{order.size_px.width(), order.size_px.height()};
+    if (picture_ && (!framebuffer_ || wanted_ != wanted)) {
       framebuffer_.reset();
-      framebuffer_ = Framebuffer::create(size, usual_multisampling(), &why);
+      framebuffer_ = Framebuffer::create(drawable(wanted), usual_multisampling(), &why);
+      wanted_ = wanted;
     }
     if (!picture_ || !framebuffer_) {
       out.why = QString::fromStdString(why);
@@ -87,10 +88,13 @@ class ViewPainter::Canvas {
     }
     put(order, out);
     framebuffer_->bind();
+    const FramebufferSize size = framebuffer_->size();
+    order.scene.line_scale *= static_cast<float>(size.width_px) / static_cast<float>(wanted.width_px);
     picture_->draw(order.scene, size.width_px, size.height_px);
     out.in_software = in_software_;
     out.image = std::move(order.spare);
-    if (out.image.size() != order.size_px) out.image = QImage(order.size_px, QImage::Format_RGB32);
+    const QSize size_px(size.width_px, size.height_px);
+    if (out.image.size() != size_px) out.image = QImage(size_px, QImage::Format_RGB32);
     framebuffer_->read(PixelOrder::bgra, {out.image.bits(), static_cast<std::size_t>(out.image.sizeInBytes())});
     return out;
   }
@@ -115,6 +119,7 @@ class ViewPainter::Canvas {
 
   std::unique_ptr<ToothPicture> picture_;
   std::unique_ptr<Framebuffer> framebuffer_;
+  FramebufferSize wanted_;  // of framebuffer_, but for OpenGL's limits
   int mesh_ = -1;
   bool in_software_ = false;
 };

@@ -35,7 +35,7 @@ struct FrameOrder {
 };
 
 struct FinishedFrame {
-  QImage image;  // null: drawing failed
+  QImage image;  // smaller than ordered beyond OpenGL's limits; null: drawing failed
   QString why;   // then the OpenGL call that failed
   int mesh = 0;
   bool lost = false;            // no image: the next order has to hold everything, for another context

@@ -10,7 +10,9 @@
 
 #include "tests/modules.h"
 #include "tests/ui/render/ball.h"
+#include "ui/render/framebuffer.h"
 #include "ui/render/gl_context_egl.h"
+#include "ui/render/opengl_allowed.h"
 #include "ui/view/view_painter.h"
 
 namespace cusp::test {
@@ -48,9 +50,7 @@ class CardContext : public PaintContext {
 struct ToothInAWindow : testing::Test {
   void SetUp() override {
     if (!EglContext::create(8, 8)) GTEST_SKIP() << "no OpenGL";
-    view = new ToothView(&window, [this](std::function<void(FinishedFrame)> drawn) {
-      return std::make_unique<ViewPainter>(std::move(drawn), std::make_unique<CardContext>(card));
-    });
+    view = new ToothView(&window, on_card());
     view->setFixedSize(240, 200);
     window.show();
     view->show_volume(Volume(Specimen::build(ball(2.0), Reading::banded)));
@@ -58,10 +58,16 @@ struct ToothInAWindow : testing::Test {
     whole = picture();
     ASSERT_EQ(card.made, 1);
   }
+  ToothView::MakePainter on_card() {
+    return [this](std::function<void(FinishedFrame)> drawn) {
+      return std::make_unique<ViewPainter>(std::move(drawn), std::make_unique<CardContext>(card));
+    };
+  }
   QImage picture() const { return view->grab().toImage(); }
+  bool shows_tooth() const { return shows_tooth(*view); }
   /// Enamel in the middle: warmer than grey, as the ground is colder.
-  bool shows_tooth() const {
-    const QImage now = picture();
+  static bool shows_tooth(ToothView& in) {
+    const QImage now = in.grab().toImage();
     const QRgb middle = now.pixel(now.width() / 2, now.height() / 2), corner = now.pixel(2, 2);
     return qRed(middle) > qBlue(middle) && qRed(corner) < qBlue(corner);
   }
@@ -110,6 +116,20 @@ TEST_F(ToothInAWindow, IsDrawnInAnotherWindowByTheSameContext) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return shows_the_same(); }, kPatienceMs));
   EXPECT_EQ(card.made, 1);
   view->setParent(&window);  // which owns it
+}
+
+TEST_F(ToothInAWindow, IsDrawnSmallerAndScaledWhereTheViewIsWiderThanTheCardDraws) {
+  const int most_px = [] {
+    const auto context = EglContext::create(8, 8);
+    return drawable({1 << 30, 1}).width_px;
+  }();
+  ASSERT_LT(most_px, 1 << 20) << "OpenGL gave no limit";
+  ToothView wide(nullptr, on_card());
+  wide.setFixedSize(most_px + 1000, 200);
+  wide.show_volume(Volume(Specimen::build(ball(2.0), Reading::banded)));
+  wide.show();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !opengl_allowed() || shows_tooth(wide); }, kPatienceMs));
+  EXPECT_TRUE(opengl_allowed()) << "one large view has turned every picture off";
 }
 
 }  // namespace
