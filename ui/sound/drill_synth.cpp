@@ -11,12 +11,15 @@ namespace cusp::ui {
 namespace {
 
 constexpr double kTau = 6.283185307179586;
+constexpr double kUsualRateHz = 48000.0;
 constexpr double kGlideS = 0.02;
 constexpr double kUsualPushN = 1.0;
 // Shares of full scale.
 constexpr double kWhine = 0.10, kOvertone = 0.04, kNoise = 0.35, kGrowl = 0.12;
 constexpr double kGrowlDivisor = 24.0;  // a beat of the loaded bearing, far below the whine
-constexpr double kMostPitchShare = 0.45;  // of the sample rate
+// Of the sample rate.
+constexpr double kMostPitchShare = 0.45, kMostToneShare = 0.15;
+constexpr double kLeastToneHz = 50.0;
 
 double within(double value, double low, double high) noexcept {
   return value > low ? (value < high ? value : high) : low;
@@ -39,13 +42,17 @@ DrillHeard heard_of(const StepOutput& output, const Scene& scene) noexcept {
   return out;
 }
 
-DrillSynth::DrillSynth(double sample_rate_hz) noexcept : rate_hz_(within(sample_rate_hz, 8000.0, 192000.0)) {}
+DrillSynth::DrillSynth(double sample_rate_hz) noexcept
+    : rate_hz_(std::isfinite(sample_rate_hz) && sample_rate_hz > 0.0 ? sample_rate_hz : kUsualRateHz) {
+  wanted_.tone_hz = now_.tone_hz = std::min(now_.tone_hz, kMostToneShare * rate_hz_);  // beyond, the noise's filter is unstable
+}
 
 void DrillSynth::follow(const DrillHeard& heard) noexcept {
   wanted_.turns_per_s = within(heard.turns_per_s, 0.0, kMostPitchShare * rate_hz_);
   wanted_.speed_share = within(heard.speed_share, 0.0, 1.0);
   wanted_.work = within(heard.work, 0.0, 1.0);
-  wanted_.tone_hz = within(heard.tone_hz, 50.0, 0.15 * rate_hz_);
+  const double most_tone_hz = kMostToneShare * rate_hz_;
+  wanted_.tone_hz = within(heard.tone_hz, std::min(kLeastToneHz, most_tone_hz), most_tone_hz);
   wanted_.loudness = within(heard.loudness, 0.0, 1.0);
 }
 

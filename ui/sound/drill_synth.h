@@ -24,7 +24,7 @@ DrillHeard heard_of(const StepOutput& output, const Scene& scene) noexcept;
 
 class DrillSynth {
  public:
-  /// 8000 to 192000; other rates count as the nearest of these.
+  /// As the output gives it: the pitch is right at any. What is no rate counts as 48000.
   explicit DrillSynth(double sample_rate_hz) noexcept;
 
   /// What is to be heard from the next sample on; values glide there in some 20 ms, so that nothing clicks. What is no

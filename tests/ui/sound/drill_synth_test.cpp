@@ -40,6 +40,13 @@ double at_pitch(const std::vector<float>& samples, double hz, double rate = kRat
   const double power = loud(samples) * loud(samples);
   return power > 0 ? 2.0 * (re * re + im * im) / (n * n) / power : 0.0;
 }
+/// Of a tone: how often a second it rises through zero.
+double pitch_hz(const std::vector<float>& samples, double rate) {
+  int rises = 0;
+  for (std::size_t i = 1; i < samples.size(); ++i)
+    if (samples[i - 1] < 0.0f && samples[i] >= 0.0f) ++rises;
+  return rises * rate / static_cast<double>(samples.size());
+}
 
 DrillHeard spinning(double rpm, double share = 1.0) { return {rpm / 60.0, share, 0.0, 1600.0, 0.0}; }
 DrillHeard cutting(Tissue tissue, double work = 1.0) {
@@ -56,6 +63,12 @@ TEST(DrillSynth, the_whine_has_the_spindles_true_pitch) {
     EXPECT_GT(at_pitch(heard(spinning(rpm)), rpm / 60.0), 0.8) << rpm;
     EXPECT_LT(at_pitch(heard(spinning(rpm)), 1.3 * rpm / 60.0), 0.01) << rpm;
   }
+}
+
+TEST(DrillSynth, the_whine_has_the_same_pitch_at_any_rate_of_the_output) {
+  // One rise more or fewer in half a second is 2 Hz.
+  for (const double rate : {4000.0, 8000.0, 44100.0, 96000.0, 192000.0, 352800.0, 384000.0, 768000.0})
+    EXPECT_NEAR(pitch_hz(heard(spinning(40e3), 0.5, rate), rate), 40e3 / 60.0, 2.1) << rate;
 }
 
 TEST(DrillSynth, a_pitch_beyond_what_the_rate_holds_does_not_fold_to_a_false_one) {
