@@ -11,7 +11,7 @@ namespace cusp::ui {
 namespace {
 
 constexpr double kTau = 6.283185307179586;
-constexpr double kUsualRateHz = 48000.0;
+constexpr double kUsualRateHz = 48000.0;  // kNoise is meant for it
 constexpr double kGlideS = 0.02;
 constexpr double kUsualPushN = 1.0;
 // Shares of full scale.
@@ -43,7 +43,8 @@ DrillHeard heard_of(const StepOutput& output, const Scene& scene) noexcept {
 }
 
 DrillSynth::DrillSynth(double sample_rate_hz) noexcept
-    : rate_hz_(std::isfinite(sample_rate_hz) && sample_rate_hz > 0.0 ? sample_rate_hz : kUsualRateHz) {
+    : rate_hz_(std::isfinite(sample_rate_hz) && sample_rate_hz > 0.0 ? sample_rate_hz : kUsualRateHz),
+      noise_share_(kNoise * std::sqrt(rate_hz_ / kUsualRateHz)) {
   wanted_.tone_hz = now_.tone_hz = std::min(now_.tone_hz, kMostToneShare * rate_hz_);  // beyond, the noise's filter is unstable
 }
 
@@ -83,7 +84,7 @@ void DrillSynth::render(std::span<float> out) noexcept {
     const double f = 2.0 * std::sin(kTau / 2.0 * now_.tone_hz / rate_hz_);
     low_ += f * band_;
     band_ += f * (white - low_ - 0.7 * band_);
-    value += kNoise * now_.work * now_.loudness * now_.speed_share * band_;
+    value += noise_share_ * now_.work * now_.loudness * now_.speed_share * band_;
     sample = static_cast<float>(within(value, -1.0, 1.0));
   }
 }

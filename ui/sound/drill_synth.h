@@ -35,6 +35,7 @@ class DrillSynth {
 
  private:
   double rate_hz_;
+  double noise_share_;  // of full scale; white noise spreads its power over half the rate, and the filter lets one octave pass
   DrillHeard wanted_, now_;
   double phase_ = 0, growl_phase_ = 0;  // turns
   double low_ = 0, band_ = 0;           // of the noise's filter
