@@ -41,10 +41,11 @@ class DeviceWatch {
   virtual ~DeviceWatch() = default;
   /// Falcons in order of their USB ports, an Inverse3 if its service listens, the emulated Falcon, then mouse and keys.
   virtual std::vector<FoundDevice> list() = 0;
-  /// Whether a device came or went since the last call; true at the first call. Does not wait.
+  /// Whether a device came or went since the last call; true at the first call.
   virtual bool changed() noexcept = 0;
 };
-/// Uses libusb. If libusb does not start, list() still has the software devices.
+/// Uses libusb. If libusb does not start, list() still has the software devices. Not for the window's thread: where a firewall drops
+/// what goes to the Inverse3's service, list() and changed() wait for 0.2 s, every 3 s at most.
 std::unique_ptr<DeviceWatch> watch_devices();
 /// The same, with the Inverse3's service at another address.
 std::unique_ptr<DeviceWatch> watch_devices_at(const inverse::ServiceAddress& service);
