@@ -85,20 +85,24 @@ void Desktop::show_last_backup() {
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
   const QString what = tr("The daily backup is being made"), more = tr("Cusp closes once it is made. If you leave it out, the next start makes it.");
-  auto* state = new EmptyState(u"save"_qs, what, more, tr("Close without the backup"));
   auto* run = new WorkRun(page);
+  QSizePolicy keeps_place = run->busy()->sizePolicy();  // the button stays where it is when the bar is shown
+  keeps_place.setRetainSizeWhenHidden(true);
+  run->busy()->setSizePolicy(keeps_place);
+  QPushButton* leave_out = make_button(tr("Close without the backup"));
   column->addStretch(1);
-  column->addWidget(state);
+  column->addWidget(new EmptyState(u"save"_qs, what, more));
   column->addWidget(run->busy(), 0, Qt::AlignHCenter);
+  column->addWidget(leave_out, 0, Qt::AlignHCenter);
   column->addStretch(1);
-  connect(state, &EmptyState::acted, this, [this] {
+  connect(leave_out, &QPushButton::clicked, this, [this] {
     closes_after_backup_ = false;
     if (backing_up_) backing_up_->stop = true;
     backing_up_.reset();
     close();
   });
   page->setAccessibleName(what);
-  page->setFocusProxy(state->button());
+  page->setFocusProxy(leave_out);
   replace_root(page);
   announce(page, what + u". "_qs + more);
   run->follow(backing_up_, tr("Copying the records"), [](std::size_t done, std::size_t all) { return tr("Copied %1").arg(copied_share(done, all)); });

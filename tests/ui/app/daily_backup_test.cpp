@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFile>
 #include <QLabel>
+#include <QLayout>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -17,7 +18,6 @@
 #include "ui/app/desktop.h"
 #include "ui/session/background_task.h"
 #include "ui/widgets/busy.h"
-#include "ui/widgets/empty_state.h"
 
 namespace cusp::test {
 namespace {
@@ -97,6 +97,11 @@ struct ClosingOverDailyBackup : testing::Test {
   test::DeskRecords records;
   const QTemporaryDir folder;
   Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
+  QPushButton* leave_out() const {
+    for (QPushButton* one : desktop->page()->findChildren<QPushButton*>())
+      if (one->accessibleName() == QStringLiteral("Close without the backup")) return one;
+    return nullptr;
+  }
   std::optional<Desktop> desktop;
 };
 
@@ -114,10 +119,23 @@ TEST_F(ClosingOverDailyBackup, waits_until_it_is_made_and_shows_that) {
 
 TEST_F(ClosingOverDailyBackup, ends_at_once_without_it_if_somebody_wants_that) {
   EXPECT_FALSE(desktop->close());
-  auto* offer = desktop->page()->findChild<EmptyState*>();
-  ASSERT_NE(offer, nullptr);
-  offer->button()->click();
+  ASSERT_NE(leave_out(), nullptr);
+  leave_out()->click();
   EXPECT_FALSE(desktop->isVisible());
+}
+
+TEST_F(ClosingOverDailyBackup, shows_how_far_it_is_above_the_button_and_keeps_the_place_for_it) {
+  EXPECT_FALSE(desktop->close());
+  QWidget* page = desktop->page();
+  auto* busy = page->findChild<Busy*>();
+  ASSERT_NE(busy, nullptr);
+  ASSERT_NE(leave_out(), nullptr);
+  busy->show();
+  page->resize(800, 600);
+  page->layout()->activate();
+  const int bar_ends = busy->mapTo(page, QPoint(0, busy->height())).y(), button_begins = leave_out()->mapTo(page, QPoint()).y();
+  EXPECT_LE(bar_ends, button_begins);
+  EXPECT_TRUE(busy->sizePolicy().retainSizeWhenHidden()) << "the button would move under whoever presses it";
 }
 
 }  // namespace
