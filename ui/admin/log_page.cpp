@@ -70,6 +70,9 @@ LogPage::LogPage(Store& store, const Actor& actor, const Ports& ports, QWidget* 
   connect(csv, &QPushButton::clicked, this, &LogPage::export_csv);
   connect(verify_, &QPushButton::clicked, this, &LogPage::verify);
   connect(busy_, &Busy::cancelled, this, &LogPage::cancel_verification);
+  connect(busy_, &Busy::shown, this, [this] {
+    if (window()->focusWidget() == verify_) busy_->focus_cancel();
+  });
   connect(look_, &QTimer::timeout, this, &LogPage::show_progress);
   fill_people();
   read();
@@ -204,7 +207,7 @@ void LogPage::show_all() {
   for (QComboBox* box : {kind_, person_, period_}) box->setCurrentIndex(0);
 }
 
-/// verify_ stays enabled, as with ButtonWait: a disabled button hands the focus on.
+/// verify_ stays enabled, as with ButtonWait, until Cancel takes the focus: a disabled button hands it on.
 void LogPage::verify() {
   if (verifying()) return;
   const auto newest = newest_before(INT64_MAX);

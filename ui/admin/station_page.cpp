@@ -152,8 +152,7 @@ void StationPage::show_backups() {
 std::shared_ptr<WorkProgress> StationPage::begin(const QString& what, WorkRun::Counted counted) {
   band_->clear();  // it speaks of the work before
   auto progress = run_->start(what, std::move(counted));
-  // The pressed button stays enabled, as with ButtonWait: a disabled one hands the focus on to a field.
-  for (QPushButton* button : {back_up_, choose_, verify_}) button->setEnabled(button == window()->focusWidget());
+  for (QPushButton* button : {back_up_, choose_, verify_}) button->setEnabled(false);
   return progress;
 }
 

@@ -214,17 +214,21 @@ TEST_F(LogPages, ACancelledVerificationShowsNothing) {
   EXPECT_TRUE(cell(*shown, 0, LogModel::kProof).isEmpty());
 }
 
-TEST_F(LogPages, GivesTheFocusBackAfterAVerificationWasCancelledWithTheKeyboard) {
+TEST_F(LogPages, PutsTheFocusOnCancelWhileItVerifiesAndGivesItBackAfterwards) {
   const auto shown = page();
   shown->show();
+  const auto* before = shown->focusWidget();
+  for (QPushButton* one : shown->findChildren<QPushButton*>())
+    if (one->accessibleName() == QStringLiteral("Verify now")) one->setFocus();
+  ASSERT_NE(shown->focusWidget(), before);
   shown->verify();
   Busy* busy = nullptr;
   for (Busy* one : shown->findChildren<Busy*>())
     if (one->running()) busy = one;
   ASSERT_NE(busy, nullptr);
   busy->show();
+  Q_EMIT busy->shown();  // as after Busy::kDelayMs
   auto* cancel = busy->findChild<QPushButton*>();
-  cancel->setFocus();
   ASSERT_EQ(shown->focusWidget(), cancel);
   cancel->click();
   EXPECT_FALSE(shown->verifying());
