@@ -20,6 +20,12 @@ namespace cusp::ui {
 
 namespace {
 
+/// Whether the assignment's rules refuse the attempt. Any other failure is one of the records: they may admit it the next moment.
+bool is_refusal(const StorageFailure& why) {
+  return why.code == StorageError::wrong_state || why.code == StorageError::other_device || why.code == StorageError::self_test_due ||
+         why.code == StorageError::not_allowed;
+}
+
 /// The practice assignment that an attempt at this exercise counts for; none: nothing is assigned, or it does not admit one now.
 Stored<std::optional<AssignmentId>> open_practice(Store& store, const Actor& student, const Exercise& exercise, const std::string& device_class) {
   if (exercise.version.is_nil()) return std::optional<AssignmentId>();
@@ -32,7 +38,9 @@ Stored<std::optional<AssignmentId>> open_practice(Store& store, const Actor& stu
     wanted.version = a.version;
     wanted.assignment = a.id;
     wanted.header.device.device_class = device_class;
-    if (store.sessions.admit(student, wanted)) return std::optional(a.id);
+    const auto admitted = store.sessions.admit(student, wanted);
+    if (admitted) return std::optional(a.id);
+    if (!is_refusal(admitted.error())) return std::unexpected(admitted.error());
   }
   return std::optional<AssignmentId>();
 }

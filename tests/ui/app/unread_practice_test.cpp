@@ -54,6 +54,16 @@ TEST_F(UnreadPractice, whose_assignments_are_not_known_would_count_for_none) {
   EXPECT_TRUE(begins());
 }
 
+TEST_F(UnreadPractice, whose_assignment_cannot_be_asked_would_count_for_none) {
+  Store& store = records.store();
+  const Actor examiner = store.accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
+  const CohortId cohort = store.cohorts.create(examiner, "Year 3")->id;
+  ASSERT_TRUE(store.cohorts.add(examiner, cohort, desktop->account()->id));
+  ASSERT_TRUE(store.assignments.create(examiner, {.version = exercise.version, .cohort = cohort}));
+  ASSERT_TRUE(store.database().run("DROP INDEX adjustments_of_assignment"));  // no attempt is admitted without it
+  EXPECT_FALSE(begins());
+}
+
 TEST_F(UnreadPractice, whose_volume_is_not_there_names_that_and_not_the_file_that_was_never_written) {
   exercise.files["tooth.nrrd"] = Hash256{};  // of no blob
   EXPECT_FALSE(begins());
