@@ -93,10 +93,10 @@ void Desktop::drill(const Exercise& exercise) {
     plan.database = database_;
     plan.student = account_->actor();
     const auto assignment = open_practice(*store_, account_->actor(), exercise, device_class());
-    if (!assignment) return show_failure(describe(assignment.error()));  // the attempt would count for nothing that is assigned
+    if (!assignment) return show_failure(unread_practice(assignment.error()));  // the attempt would count for nothing that is assigned
     plan.assignment = *assignment;
     const auto attempts = store_->history.attempts(account_->actor(), account_->id, exercise.scenario.id);
-    if (!attempts) return show_failure(describe(attempts.error()));
+    if (!attempts) return show_failure(unread_practice(attempts.error()));
     aside = tr("Practice, attempt %1").arg(*attempts + 1);
   } else {
     plan.kind = SessionKind::try_it;

@@ -153,19 +153,28 @@ Stored<AssignedAssessments> load_assessments(Store& store, const Actor& student,
 
 std::optional<Message> why_no_practice(Store& store, const Actor& student, ScenarioId exercise) {
   const auto here = store.history.interrupted(student, student.id);
-  if (!here) return describe(here.error());
+  if (!here) return unread_practice(here.error());
   HistoryFilter same;
   same.student = student.id;
   same.scenario = exercise;
   const auto attempts = store.history.list(student, same);
-  if (!attempts) return describe(attempts.error());
-  const bool open = std::ranges::any_of(*attempts, [&](const HistoryRow& row) {
-    if (row.kind != SessionKind::assessment) return false;
-    return row.state == SessionState::running || holds(*here, row.session);
-  });
-  if (!open) return std::nullopt;
-  return Message{AssessmentCard::tr("Your assessment of this exercise is not handed in yet."),
-                 AssessmentCard::tr("Until then the exercise cannot be practised. Continue the assessment or hand it in on the start page.")};
+  if (!attempts) return unread_practice(attempts.error());
+  const auto any_assessment = [&attempts](const auto& is) {
+    return std::ranges::any_of(*attempts, [&is](const HistoryRow& row) { return row.kind == SessionKind::assessment && is(row); });
+  };
+  const QString what = AssessmentCard::tr("Your assessment of this exercise is not handed in yet.");
+  if (any_assessment([&here](const HistoryRow& row) { return holds(*here, row.session); })) {
+    return Message{what, AssessmentCard::tr("Until then the exercise cannot be practised. Continue the assessment or hand it in on the start page.")};
+  }
+  if (any_assessment([](const HistoryRow& row) { return row.state == SessionState::running; })) {
+    return Message{what, AssessmentCard::tr("It runs in another window. Until it is handed in there, the exercise cannot be practised.")};
+  }
+  return std::nullopt;
+}
+
+Message unread_practice(const StorageFailure& why) {
+  return {AssessmentCard::tr("This exercise cannot be practised now."),
+          AssessmentCard::tr("Try again; if that does not help, ask your instructor. Your assignments or attempts could not be read: %1").arg(describe(why).line())};
 }
 
 AssessmentCard::AssessmentCard(const AssignedAssessment& a, UserId student, const std::string& device_class, QWidget* parent)

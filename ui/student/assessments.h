@@ -45,6 +45,8 @@ Stored<AssignedAssessments> load_assessments(Store& store, const Actor& student,
 /// Why the student may not practise an exercise: the own assessment of it runs, or is interrupted and not handed in on this station.
 /// nullopt: practice may start.
 std::optional<Message> why_no_practice(Store& store, const Actor& student, ScenarioId exercise);
+/// The same where the records cannot be read: nobody knows what an attempt would count for.
+Message unread_practice(const StorageFailure& why);
 
 /// One assessment on the start page.
 class AssessmentCard : public Card {

@@ -1,6 +1,7 @@
 // Practice whose records cannot be read does not begin.
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QTemporaryDir>
 #include <memory>
 
@@ -30,6 +31,12 @@ struct UnreadPractice : ::testing::Test {
     desktop->show();
     desktop->sign_in(lena);
   }
+  /// Whether a page shows the sentence.
+  bool shows(const QString& sentence) const {
+    for (const QLabel* label : desktop->page()->findChildren<QLabel*>())
+      if (label->text().contains(sentence)) return true;
+    return false;
+  }
   /// Whether the exercise begins; else a page gives the reason.
   bool begins() {
     desktop->drill(exercise);
@@ -49,6 +56,10 @@ struct UnreadPractice : ::testing::Test {
 
 TEST_F(UnreadPractice, whose_assignments_are_not_known_would_count_for_none) {
   ASSERT_TRUE(records.store().database().run("ALTER TABLE cohort_students RENAME TO lost_students"));
+  desktop->drill(exercise);
+  EXPECT_TRUE(shows(QStringLiteral("This exercise cannot be practised now.")));
+  EXPECT_TRUE(shows(QStringLiteral("ask your instructor"))) << "what is damaged is no student's to restore";
+  desktop->back();
   EXPECT_FALSE(begins());
   ASSERT_TRUE(records.store().database().run("ALTER TABLE lost_students RENAME TO cohort_students"));
   EXPECT_TRUE(begins());

@@ -268,7 +268,9 @@ TEST_F(StartPageCards, an_assessment_that_is_not_handed_in_keeps_its_exercise_fr
   EXPECT_FALSE(refusal("channel-1"));
   EXPECT_TRUE(page()->start_button()->isEnabled()) << "the next exercise is channel-1";
   const SessionId session = sit();
-  EXPECT_TRUE(refusal("channel-1")) << "it runs in another window";
+  ASSERT_TRUE(refusal("channel-1"));
+  EXPECT_TRUE(refusal("channel-1")->more.contains(QStringLiteral("another window"))) << refusal("channel-1")->more.toStdString();
+  EXPECT_FALSE(refusal("channel-1")->more.contains(QStringLiteral("start page"))) << "it cannot be continued there";
   ASSERT_TRUE(records.store().sessions.interrupt(session, "left"));
   const auto why = refusal("channel-1");
   ASSERT_TRUE(why);
