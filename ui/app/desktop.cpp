@@ -31,7 +31,6 @@
 #include "ui/render/opengl_allowed.h"
 #include "ui/settings/device_settings.h"
 #include "ui/signin/sign_in.h"
-#include "ui/student/briefing.h"
 #include "ui/student/course.h"
 #include "ui/student/exercises_page.h"
 #include "ui/student/own_history.h"
@@ -341,19 +340,6 @@ void Desktop::drop(QWidget* covered) {
 }
 
 QWidget* Desktop::page() const { return stack_->currentWidget(); }
-
-void Desktop::show_briefing(const Exercise& exercise) {
-  const auto folder = exercise_folder(*store_, exercise, volume_folder());
-  if (!folder) {
-    show_failure(describe(folder.error()));
-    return;
-  }
-  const auto refusal = why_no_practice(*store_, account_->actor(), exercise.scenario.id);
-  auto* briefing = new Briefing(exercise, *pictures_, *folder, teeth_, refusal ? refusal->line() : QString());
-  connect(briefing, &Briefing::back_wanted, this, &Desktop::back);
-  connect(briefing, &Briefing::start_wanted, this, &Desktop::drill);
-  push(briefing);
-}
 
 void Desktop::keep_device_test(const DeviceTest& test) {
   const auto kept = store_->device_tests.add(account_->actor(), test);

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QKeyEvent>
+#include <algorithm>
 
 #include "device/hid/hid_station.h"
 #include "ui/app/desktop.h"
@@ -12,6 +13,8 @@
 #include "ui/text/names.h"
 #include "ui/session/replay.h"
 #include "ui/settings/device_settings.h"
+#include "ui/student/briefing.h"
+#include "ui/student/course.h"
 #include "ui/student/thumbnail_cache.h"
 #include "ui/text/device_text.h"
 #include "ui/view/tooth_view.h"
@@ -45,7 +48,30 @@ Stored<std::optional<AssignmentId>> open_practice(Store& store, const Actor& stu
   return std::optional<AssignmentId>();
 }
 
+/// uncounted_text() of an exercise in the version that is drilled.
+QString uncounted_text_of(Store& store, const Actor& student, const Exercise& exercise, const std::string& device_class) {
+  const auto course = load_course(store, student);
+  if (!course) return {};  // then drill() gives the reason
+  const auto same = [&exercise](const CourseRow& row) {
+    return row.exercise.scenario.id == exercise.scenario.id && row.exercise.version == exercise.version;
+  };
+  const auto row = std::ranges::find_if(course->rows, same);
+  return row == course->rows.end() ? QString() : uncounted_text(*row, device_class);
+}
+
 }  // namespace
+
+void Desktop::show_briefing(const Exercise& exercise) {
+  const auto folder = exercise_folder(*store_, exercise, volume_folder());
+  if (!folder) return show_failure(describe(folder.error()));
+  const Actor student = account_->actor();
+  const auto refusal = why_no_practice(*store_, student, exercise.scenario.id);
+  auto* briefing = new Briefing(exercise, *pictures_, *folder, teeth_, refusal ? refusal->line() : QString(),
+                                uncounted_text_of(*store_, student, exercise, device_class()));
+  connect(briefing, &Briefing::back_wanted, this, &Desktop::back);
+  connect(briefing, &Briefing::start_wanted, this, &Desktop::drill);
+  push(briefing);
+}
 
 DrillScreen* Desktop::open_drilling(const SessionPlan& plan, const DrillText& text) {
   pictures_->stop();

@@ -97,12 +97,13 @@ void show_covering(QLabel* label, const QImage& image, double radius) {
 }
 
 Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std::filesystem::path& folder,
-                   std::shared_ptr<ToothCache> teeth, const QString& refusal, QWidget* parent)
+                   std::shared_ptr<ToothCache> teeth, const QString& refusal, const QString& uncounted, QWidget* parent)
     : QWidget(parent),
       exercise_(exercise),
       pictures_(pictures),
       folder_(folder),
       refusal_(refusal),
+      uncounted_(uncounted),
       teeth_(opengl_allowed() ? std::move(teeth) : nullptr),
       stack_(new QStackedWidget) {
   if (teeth_) ahead_.emplace(teeth_, ToothWish{exercise.scenario, folder, Guidance::full, nullptr});
@@ -172,7 +173,8 @@ void Briefing::fill_text(QVBoxLayout& text) {
   text.addSpacing(px(8));
   add_facts(text);
   text.addSpacing(px(16));
-  if (!refusal_.isEmpty()) text.addWidget(make_limit_note(refusal_));
+  for (const QString& note : {refusal_, uncounted_})
+    if (!note.isEmpty()) text.addWidget(make_limit_note(note));
   auto* acts = new QHBoxLayout;
   start_ = make_large_button(tr("Start"), ButtonKind::primary, u"play"_qs);
   start_->setDefault(true);

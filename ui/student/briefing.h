@@ -19,9 +19,9 @@ class Briefing : public QWidget {
 
  public:
   /// While it stands, the tooth is made ahead for Start. `teeth` null: it is not. `refusal`: why neither Start nor the reference is offered;
-  /// empty: they are.
+  /// empty: they are. `uncounted`: uncounted_text().
   Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std::filesystem::path& folder,
-           std::shared_ptr<ToothCache> teeth, const QString& refusal = {}, QWidget* parent = nullptr);
+           std::shared_ptr<ToothCache> teeth, const QString& refusal = {}, const QString& uncounted = {}, QWidget* parent = nullptr);
   QPushButton* start_button() const { return start_; }
   /// nullptr where the reference cannot be shown: no path, no pictures, no teeth made ahead, or a refusal.
   QPushButton* watch_button() const { return watch_; }
@@ -42,7 +42,7 @@ class Briefing : public QWidget {
   Exercise exercise_;
   ThumbnailCache& pictures_;
   std::filesystem::path folder_;
-  QString refusal_;
+  QString refusal_, uncounted_;
   std::shared_ptr<ToothCache> teeth_;
   std::optional<ToothAhead> ahead_;
   QStackedWidget* stack_;  // the briefing, and the reference over it

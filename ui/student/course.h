@@ -46,6 +46,10 @@ Stored<Course> load_course(Store& store, const Actor& student);
 /// In the version in which the student's attempts count: the one that is assigned and open, else the newest. Nullopt: none can be read.
 std::optional<Exercise> exercise_to_drill(Store& store, const Actor& student, ScenarioId exercise);
 
+/// Why a further attempt would not count for the assignment, and what helps; empty: it counts, nothing is assigned, or the exercise is passed
+/// and its assignment over. `device_class`: of this station's device.
+QString uncounted_text(const CourseRow& row, const std::string& device_class);
+
 class CourseModel : public QAbstractTableModel {
   Q_OBJECT
 

@@ -236,9 +236,8 @@ QWidget* StartPage::make_next(const CourseRow& row) {
 }
 
 void StartPage::add_notes(QVBoxLayout& text, const CourseRow& row) {
-  if (!refusal_.isEmpty()) text.addWidget(make_limit_note(refusal_));
-  if (storage::admits(row.device_classes, device_class_)) return;
-  text.addWidget(make_limit_note(tr("Counts only with %1: choose it on the page Device.").arg(device_names(row.device_classes))));
+  for (const QString& note : {refusal_, uncounted_text(row, device_class_)})
+    if (!note.isEmpty()) text.addWidget(make_limit_note(note));
 }
 
 QWidget* StartPage::make_list() {

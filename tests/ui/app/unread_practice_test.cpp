@@ -1,9 +1,12 @@
-// Practice whose records cannot be read does not begin.
+// Practice whose records cannot be read does not begin, and a briefing shows where practice would not count.
 #include <gtest/gtest.h>
 
 #include <QLabel>
 #include <QTemporaryDir>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
@@ -13,6 +16,8 @@
 #include "ui/app/desktop.h"
 #include "ui/app/shell.h"
 #include "ui/drill/drill_screen.h"
+#include "ui/student/briefing.h"
+#include "ui/student/start_page.h"
 #include "ui/widgets/empty_state.h"
 
 namespace cusp::test {
@@ -30,6 +35,13 @@ struct UnreadPractice : ::testing::Test {
     desktop->start();
     desktop->show();
     desktop->sign_in(lena);
+  }
+  void assign(std::vector<std::string> device_classes) {
+    Store& store = records.store();
+    const Actor examiner = store.accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
+    const CohortId cohort = store.cohorts.create(examiner, "Year 3")->id;
+    ASSERT_TRUE(store.cohorts.add(examiner, cohort, desktop->account()->id));
+    ASSERT_TRUE(store.assignments.create(examiner, {.version = exercise.version, .cohort = cohort, .device_classes = std::move(device_classes)}));
   }
   /// Whether a page shows the sentence.
   bool shows(const QString& sentence) const {
@@ -66,13 +78,16 @@ TEST_F(UnreadPractice, whose_assignments_are_not_known_would_count_for_none) {
 }
 
 TEST_F(UnreadPractice, whose_assignment_cannot_be_asked_would_count_for_none) {
-  Store& store = records.store();
-  const Actor examiner = store.accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
-  const CohortId cohort = store.cohorts.create(examiner, "Year 3")->id;
-  ASSERT_TRUE(store.cohorts.add(examiner, cohort, desktop->account()->id));
-  ASSERT_TRUE(store.assignments.create(examiner, {.version = exercise.version, .cohort = cohort}));
-  ASSERT_TRUE(store.database().run("DROP INDEX adjustments_of_assignment"));  // no attempt is admitted without it
+  assign({});
+  ASSERT_TRUE(records.store().database().run("DROP INDEX adjustments_of_assignment"));  // no attempt is admitted without it
   EXPECT_FALSE(begins());
+}
+
+TEST_F(UnreadPractice, that_counts_only_with_another_device_shows_that_in_its_briefing) {
+  assign({"falcon"});
+  Q_EMIT desktop->findChild<StartPage*>()->briefing_wanted(exercise);
+  ASSERT_NE(qobject_cast<Briefing*>(desktop->page()), nullptr);
+  EXPECT_TRUE(shows(QStringLiteral("Counts only with Falcon")));
 }
 
 TEST_F(UnreadPractice, whose_volume_is_not_there_names_that_and_not_the_file_that_was_never_written) {

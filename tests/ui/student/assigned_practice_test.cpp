@@ -44,6 +44,8 @@ struct AssignedPractice : testing::Test {
     const auto it = std::ranges::find_if(course.rows, [](const CourseRow& r) { return r.assignment.has_value(); });
     return it == course.rows.end() ? CourseRow{} : *it;
   }
+  /// Whether the student is shown that a further attempt does not count, by these words.
+  bool warns(const char* words) { return uncounted_text(row(), "pointer").contains(QLatin1String(words)); }
   QString text_of(int column, int role = Qt::DisplayRole) {
     const CourseModel model(std::vector<CourseRow>{row()});
     return model.index(0, column).data(role).toString();
@@ -58,6 +60,31 @@ TEST_F(AssignedPractice, ThatIsOverLimitsNothing) {
   ASSERT_TRUE(row().over);
   EXPECT_TRUE(row().device_classes.empty()) << "an attempt counts with no device";
   EXPECT_EQ(text_of(CourseModel::kAttempts), QStringLiteral("1"));
+}
+
+TEST_F(AssignedPractice, WarnsOnceItIsOverUntilItIsPassed) {
+  assign({.version = delivered(), .due_utc_us = kMorning + kHourUs});
+  EXPECT_TRUE(uncounted_text(row(), "pointer").isEmpty());
+  records.now_us = kMorning + 2 * kHourUs;
+  EXPECT_TRUE(warns("is over"));
+  records.attempt(lena, "channel-1", 90, 100);
+  EXPECT_TRUE(uncounted_text(row(), "pointer").isEmpty());
+}
+
+TEST_F(AssignedPractice, WarnsOnceEveryAttemptIsUsed) {
+  const Assignment once = assign({.version = delivered(), .attempts_allowed = 1});
+  EXPECT_TRUE(uncounted_text(row(), "pointer").isEmpty());
+  NewSession wanted{.student = lena.id, .version = once.version, .assignment = once.id};
+  wanted.header.device.device_class = "pointer";
+  wanted.header.scene = "{}";
+  ASSERT_TRUE(records.store().sessions.start(lena.actor(), wanted));
+  EXPECT_TRUE(warns("Every attempt that counts is used"));
+}
+
+TEST_F(AssignedPractice, WarnsWhereItAsksForAnotherDevice) {
+  assign({.version = delivered(), .device_classes = {"falcon"}});
+  EXPECT_TRUE(warns("choose it on the page Device"));
+  EXPECT_TRUE(uncounted_text(row(), "falcon").isEmpty());
 }
 
 TEST_F(AssignedPractice, WhoseAttemptsCannotBeCountedIsNotTakenForUntried) {
