@@ -174,11 +174,11 @@ Message describe_thinned(const StorageFailure& f) {
 }
 
 Message describe_wrong_state(const StorageFailure& f) {
-  if (f.where == "not_open") return {Text::tr("This assignment is not open yet."), nothing_changed()};
+  if (f.where == "not_open") return {Text::tr("This assignment is not open yet."), Text::tr("The start page shows when it opens.")};
   if (f.where == "version_withdrawn") return {Text::tr("This version of the exercise was withdrawn."), nothing_changed()};
-  if (f.where == "withdrawn") return {Text::tr("This assignment was withdrawn."), nothing_changed()};
-  if (f.where == "past_due") return {Text::tr("The time for this assignment is over."), nothing_changed()};
-  if (f.where == "attempts_used") return {Text::tr("Every attempt of this assignment is used."), nothing_changed()};
+  if (f.where == "withdrawn") return {Text::tr("This assignment was withdrawn."), Text::tr("Ask your instructor. Nothing was changed.")};
+  if (f.where == "past_due") return {Text::tr("The time for this assignment is over."), Text::tr("Ask your instructor. Nothing was changed.")};
+  if (f.where == "attempts_used") return {Text::tr("Every attempt of this assignment is used."), Text::tr("Ask your instructor. Nothing was changed.")};
   if (f.where == "other_station") return {Text::tr("This attempt belongs to another station."), nothing_changed()};
   if (f.where == "thinned") return describe_thinned(f);
   if (f.where == "session") return {Text::tr("This attempt is being drilled in another window."), Text::tr("It opens as soon as it has ended.")};

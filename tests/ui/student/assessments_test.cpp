@@ -15,6 +15,7 @@
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/student/assessments.h"
+#include "ui/text/failure_text.h"
 #include "ui/text/plain.h"
 #include "ui/student/course.h"
 
@@ -380,6 +381,12 @@ TEST_F(Assessments, WhatIsOverIsNotNextBeforeWhatIsDue) {
   EXPECT_EQ(next(), assignment.version);
   records.now_us = kMorning + 2 * kHour;
   EXPECT_EQ(next(), version->id);
+}
+
+TEST_F(Assessments, RefusedByARuleNameWhatToDoNext) {
+  for (const char* rule : {"withdrawn", "past_due", "attempts_used"})
+    EXPECT_TRUE(describe(StorageFailure{StorageError::wrong_state, rule, {}}).more.contains(QStringLiteral("Ask your instructor."))) << rule;
+  EXPECT_TRUE(describe(StorageFailure{StorageError::wrong_state, "not_open", {}}).more.contains(QStringLiteral("start page")));
 }
 
 }  // namespace
