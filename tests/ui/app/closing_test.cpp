@@ -1,15 +1,13 @@
 // What the desktop asks before its window closes, where no draft, form or comment is at stake.
 #include <gtest/gtest.h>
 
-#include <QTemporaryDir>
 #include <QTest>
 #include <memory>
 
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
-#include "tests/ui/desk_records.h"
+#include "tests/ui/app/asking_desktop.h"
 #include "ui/admin/station_page.h"
-#include "ui/app/desktop.h"
 #include "ui/app/shell.h"
 #include "ui/report/marking_card.h"
 #include "ui/signin/sign_in.h"
@@ -20,31 +18,10 @@ namespace {
 
 constexpr int kClosingMs = 60'000;  // waits for progress, never decides
 
-struct Closing : ::testing::Test {
-  Closing() {
-    ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
-      asked.push_back(question.what);
-      answer = std::move(then);
-    };
-  }
-  void sign_in(const Account& who) {
-    desktop = std::make_unique<Desktop>(settings, ports, records.file());
-    desktop->start();
-    desktop->show();
-    desktop->sign_in(who);
-  }
-
-  DeskRecords records;
-  QTemporaryDir folder;
-  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
-  Ports ports = Ports::of_the_system();
-  QStringList asked;
-  std::function<void(bool)> answer;
-  std::unique_ptr<Desktop> desktop;
-};
+struct Closing : AskingDesktop {};
 
 TEST_F(Closing, asks_over_typed_points_and_the_lock_does_not_say_that_they_are_kept) {
-  sign_in(*records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""}));
+  sign_in(instructor());
   auto result = std::make_shared<SessionResult>();
   result->session = records.attempt(records.student("1", "Lena Brandt"), "channel-1", 66, 90);
   result->scenario = *load_builtin("channel-1");

@@ -9,16 +9,14 @@
 #include <QPlainTextEdit>
 #include <QPointer>
 #include <QPushButton>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include "scenarios/library/library.h"
 #include "storage/sqlite/database.h"
 #include "tests/modules.h"
 #include "tests/refused_rows.h"
-#include "tests/ui/desk_records.h"
+#include "tests/ui/app/asking_desktop.h"
 #include "ui/admin/people_import.h"
-#include "ui/app/desktop.h"
 #include "ui/app/password_dialog.h"
 #include "ui/app/quick_open.h"
 #include "ui/app/shell.h"
@@ -36,24 +34,13 @@ namespace {
 
 constexpr int kPatientMs = 60'000;  // waits for progress, never decides
 
-struct Locking : ::testing::Test {
+struct Locking : AskingDesktop {
   Locking() {
-    ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
-      asked.push_back(question.what);
-      more = question.more;
-      answer = std::move(then);
-    };
     ports.pick_file = [this](QWidget*, const FileWish&, const std::function<void(const QString&)>& then) { then(folder.filePath(QStringLiteral("list.csv"))); };
-  }
-  void sign_in(const Account& who) {
-    desktop = std::make_unique<Desktop>(settings, ports, records.file());
-    desktop->start();
-    desktop->show();
-    desktop->sign_in(who);
   }
   /// Signs an instructor in and opens the editor with a draft that is not saved yet.
   Account edit_a_draft() {
-    const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
+    const Account berg = instructor();
     sign_in(berg);
     EditorStart start;
     start.draft = *load_builtin("channel-1");
@@ -117,14 +104,6 @@ struct Locking : ::testing::Test {
     for (const Band* band : desktop->page()->findChildren<Band*>()) text += band->text();
     return text;
   }
-  DeskRecords records;
-  QTemporaryDir folder;
-  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
-  Ports ports = Ports::of_the_system();
-  QStringList asked;
-  QString more;  // of the last question
-  std::function<void(bool)> answer;
-  std::unique_ptr<Desktop> desktop;
 };
 
 TEST_F(Locking, gives_pin_slips_that_are_not_saved_back_to_whoever_made_them) {
@@ -171,7 +150,7 @@ TEST_F(Locking, keeps_a_comment_for_whoever_wrote_it) {
 }
 
 TEST_F(Locking, asks_before_it_closes_over_a_comment_that_waits_for_its_author) {
-  const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
+  const Account berg = instructor();
   const SessionId session = records.attempt(records.student("1", "Lena Brandt"), "channel-1", 66, 90);
   ASSERT_NE(write_comment(berg, session, QStringLiteral("The floor is uneven.")), nullptr);
   desktop->lock_idle();
@@ -312,7 +291,7 @@ TEST_F(Locking, does_not_say_that_a_running_audit_is_kept) {
 }
 
 TEST_F(Locking, does_not_say_that_a_half_filled_form_is_kept) {
-  const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
+  const Account berg = instructor();
   const auto note_after = [this](const Account& who, const char* key, const std::function<void(QWidget&)>& fill) {
     desktop ? desktop->sign_in(who) : sign_in(who);
     desktop->shell()->show_page(QLatin1String(key));

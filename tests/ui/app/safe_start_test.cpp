@@ -3,15 +3,13 @@
 
 #include <QLabel>
 #include <QPushButton>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
-#include "tests/ui/desk_records.h"
+#include "tests/ui/app/asking_desktop.h"
 #include "tests/ui/editor/editor_pages.h"
 #include "tests/ui/report/sample_report.h"
-#include "ui/app/desktop.h"
 #include "ui/app/shell.h"
 #include "ui/drill/drill_screen.h"
 #include "ui/render/gl_context_egl.h"
@@ -32,27 +30,13 @@ bool gives_reason(const QWidget& card) {
   return false;
 }
 
-struct SafeStart : ::testing::Test {
-  SafeStart() {
-    ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
-      asked << question.what;
-      answer = std::move(then);
-    };
-    desktop = std::make_unique<Desktop>(settings, ports, records.file());
-    desktop->show();
-  }
+struct SafeStart : AskingDesktop {
+  SafeStart() { show(); }
   bool shows(const QString& text) const {
     for (const QLabel* label : desktop->findChildren<QLabel*>())
       if (label->isVisible() && label->text().contains(text)) return true;
     return false;
   }
-  test::DeskRecords records;
-  QTemporaryDir folder;
-  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
-  Ports ports = Ports::of_the_system();
-  QStringList asked;
-  std::function<void(bool)> answer;
-  std::unique_ptr<Desktop> desktop;
 };
 
 TEST_F(SafeStart, asks_and_starts_as_usual_when_that_is_declined) {
