@@ -254,7 +254,8 @@ Outcome<SessionResult> ExerciseSession::finish(const MeasureProgress& progress) 
   in.stop();
   if (in.stands_still) {
     abandon();
-    return session_fail(SessionError::device, PortFailure{PortError::io, in.setup.device.name, {}});
+    if (in.setup.session.is_nil()) return session_fail(SessionError::device, PortFailure{PortError::io, in.setup.device.name, {}});
+    return session_fail(SessionError::driver_silent, in.setup.device.name);
   }
   if (in.recorder) {
     if (in.recorder->state() == RecordingState::failed) in.recorder->retry();

@@ -96,8 +96,8 @@ class ExerciseSession {
 
   /// Stops, works through every input, writes the final volume, grades, and stores the grade. recording_failed leaves the
   /// session as it was (stopped): finish() may be tried again when the disk is well. An attempt that ended by itself because inputs
-  /// were not taken off in time is graded as it stands, with SessionResult::interrupted set. device: its driver stands still, and the session is
-  /// abandoned. `progress`: of the measuring, on the calling thread.
+  /// were not taken off in time is graded as it stands, with SessionResult::interrupted set. driver_silent (device, where nothing is kept): the
+  /// session is abandoned. `progress`: of the measuring, on the calling thread.
   Outcome<SessionResult> finish(const MeasureProgress& progress = {});
   /// Stops; the session stays as interrupted in the database and can be graded as it stands.
   void abandon();

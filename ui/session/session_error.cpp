@@ -18,6 +18,7 @@ std::string_view key_of(SessionError code) noexcept {
     case SessionError::other_engine: return "other_engine";
     case SessionError::specimen_changed: return "specimen_changed";
     case SessionError::no_tooth: return "no_tooth";
+    case SessionError::driver_silent: return "driver_silent";
   }
   return "storage";
 }

@@ -31,6 +31,7 @@ enum class SessionError : std::uint8_t {
   other_engine,       // recorded by another engine version: only its stored results open; where: that version
   specimen_changed,   // what is stored is not the specimen that the attempt began with
   no_tooth,           // no tooth was drawn that the exercise suits; where: JSON pointer to what held it
+  driver_silent,      // at the end the driver did not come back; the attempt is kept as interrupted; where: the device
 };
 
 /// PortFailure::detail of a driver that did not come back from open().

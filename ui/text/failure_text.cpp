@@ -191,6 +191,10 @@ Message describe(const SessionFailure& f) {
     case SessionError::no_tooth:
       return {Text::tr("No tooth was found that suits this exercise."),
               Text::tr("Tell the invigilator. No attempt was started or counted (%1).").arg(where)};
+    case SessionError::driver_silent:
+      return {Text::tr("The driver of the device stands still."),
+              Text::tr("The attempt ended as interrupted. What was recorded until then is kept: continue it, or have it graded as it stands. Before that, unplug %1 and plug it in again.")
+                  .arg(where)};
   }
   return {Text::tr("The attempt could not be played."), where};
 }

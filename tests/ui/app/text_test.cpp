@@ -39,7 +39,7 @@ TEST(Sentences, every_code_of_every_module_has_text) {
   each_code_has_its_own_text<FormatError, FormatFailure>(static_cast<int>(FormatError::unwritable) + 1);
   each_code_has_its_own_text<ImportError, ImportFailure>(static_cast<int>(kImportErrors));
   each_code_has_its_own_text<PortError, PortFailure>(static_cast<int>(PortError::io) + 1);
-  for (int i = 0; i <= static_cast<int>(SessionError::specimen_changed); ++i) {
+  for (int i = 0; i <= static_cast<int>(SessionError::driver_silent); ++i) {
     EXPECT_FALSE(describe(SessionFailure{static_cast<SessionError>(i), "place"}).what.isEmpty());
   }
 }

@@ -213,7 +213,7 @@ TEST(ExerciseSession, WhoseDriverStandsStillIsInterruptedAndEndsWithoutIt) {
   ASSERT_TRUE(eventually([&] { return (*started)->view().silent; }));
   const auto result = (*started)->finish();
   ASSERT_FALSE(result) << "its last inputs are still with the driver";
-  EXPECT_EQ(std::get<PortError>(result.error().cause), PortError::io);
+  EXPECT_EQ(result.error().code, SessionError::driver_silent);
   started->reset();
   EXPECT_FALSE(device.expired()) << "the haptic thread is in it";
   const auto store = work.store();
