@@ -168,8 +168,8 @@ void AttemptOpening::open(Order order, const Answer& answer) {
   if (stop_) return answer(nullptr, session_fail(SessionError::specimen, ImportFailure{ImportError::cancelled, "attempt", {}}).error());
   falcon_.store(attempt->device.falcon, std::memory_order_release);
   inverse_.store(attempt->device.inverse, std::memory_order_release);
-  attempt->idle = std::make_shared<IdlePort>(std::move(attempt->device.port), std::move(plan.pedal));
-  auto session = ExerciseSession::start(std::move(plan), attempt->idle, called_off);
+  attempt->port = std::move(attempt->device.port);
+  auto session = ExerciseSession::start(std::move(plan), attempt->port, called_off);
   falcon_.store(nullptr, std::memory_order_release);
   inverse_.store(nullptr, std::memory_order_release);
   if (!session) {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "ui/drill/drill_feed.h"
-#include "ui/drill/idle_port.h"
 #include "ui/session/exercise_session.h"
 #include "ui/session/session_device.h"
 #include "ui/view/start_view.h"
@@ -22,7 +21,7 @@ namespace cusp::ui {
 /// What the window gets.
 struct OpenedAttempt {
   SessionDevice device;            // without its port
-  std::shared_ptr<IdlePort> idle;  // that port with the pedal; the session may keep it
+  std::shared_ptr<HapticPort> port;  // the device's; the session may keep it
   std::shared_ptr<PatchFeed> patches;
   std::shared_ptr<DrillFeed> feed;
   std::vector<OverlayLine> lines;

@@ -314,7 +314,7 @@ void DrillScreen::look() {
   Inner& in = *inner_;
   if (!running() || in.working) return;
   in.live = in.attempt->session->view();
-  in.live.cut_ignored = in.live.cut_ignored || in.attempt->idle->ignores_cut() || (in.input && in.input->ignores_cut());
+  in.live.cut_ignored = in.live.cut_ignored || (in.input && in.input->ignores_cut());
   if (in.asked && in.live.device == Sample::Status::gone) in.stood = true;
   in.sound->follow(in.live, *in.attempt->session->scene());
   in.stage->view()->follow_bur(kFollow);

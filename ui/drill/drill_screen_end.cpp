@@ -17,7 +17,7 @@ void DrillScreen::hold_for_question() {
   in.asked = true;
   in.stood = stands_still(in.attempt->session->view());
   if (in.guidance == Guidance::silent) {
-    in.attempt->idle->set_idle(true);
+    in.attempt->session->set_idle(true);
   } else {
     in.attempt->session->pause();
   }
@@ -26,7 +26,7 @@ void DrillScreen::hold_for_question() {
 /// An attempt that stood before the question stands again: the force comes back by Resume alone.
 void DrillScreen::answered_no() {
   Inner& in = *inner_;
-  in.attempt->idle->set_idle(false);
+  in.attempt->session->set_idle(false);
   if (in.guidance == Guidance::full && !in.stood) in.attempt->session->resume();
   setFocus();
 }

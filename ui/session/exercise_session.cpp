@@ -6,23 +6,20 @@
 #include <future>
 #include <thread>
 
-#include "device/hid/pedalled_sample.h"
 #include "engine/loop/haptic_loop.h"
 #include "engine/loop/realtime.h"
 #include "engine/mirror/fragment_finder.h"
 #include "ui/modules.h"
 #include "ui/session/bur_depth.h"
-#include "ui/session/held_cut.h"
 #include "ui/session/session_follower.h"
 #include "ui/session/session_setup.h"
+#include "ui/session/watching_port.h"
 
 namespace cusp::ui {
 
 namespace {
 // Of session time. A frame takes some 30 ms under software OpenGL: what it shows is then a third of one old at most.
 constexpr std::uint32_t kShowUs = 10'000;
-/// A driver that does not come back for so long stands still; USB transfers time out within some ms.
-constexpr std::chrono::seconds kSilent{1};
 /// At the end of a session, or of an opening that was called off. A tick takes some ms even on a machine that is far too slow.
 constexpr std::chrono::seconds kDriverPatience{3};
 constexpr std::chrono::milliseconds kOpeningLook{5};
@@ -57,53 +54,6 @@ Result<void, PortFailure> open_port(const std::shared_ptr<HapticPort>& port, con
   driver.join();
   return opened.get();
 }
-
-/// Watches the loop that reads it. Pauses it before the first tick after a driver, or the whole process, stood still for longer than
-/// kSilent: that tick would add the whole time to the session's clock, and a device that does not answer may not use up a time limit.
-/// view() shows the pause as what the guard would have made of that tick. `pedal`: a foot pedal, or null. `held`: of a hand; a scripted
-/// operator knows what it presses.
-class WatchingPort final : public HapticPort {
- public:
-  WatchingPort(HapticPort& port, std::shared_ptr<const PedalSource> pedal, const std::optional<HeldCut>& held)
-      : port_(port), pedal_(std::move(pedal)), held_(held) {}
-  /// Before the loop starts.
-  void watch(HapticLoop& loop) noexcept { loop_ = &loop; }
-
-  Result<void, PortFailure> open() override { return port_.open(); }
-  Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
-    Sample sample = port_.wait(deadline);
-    const auto now = std::chrono::steady_clock::now();
-    sample = pedalled(sample, pedal_.get(), now);
-    const LoopPhase phase = loop_->hand_over().phase.load(std::memory_order_acquire);
-    // As the guard has it, the first sample cannot be late.
-    const bool stood = before_ && now - *before_ > kSilent;
-    if (stood) loop_->pause();
-    if (phase == LoopPhase::running) stalled_.store(stood, std::memory_order_release);
-    before_ = now;
-    const bool stands = phase == LoopPhase::paused || phase == LoopPhase::held;
-    if (held_) {
-      held_->take(sample, stands ? HeldCut::Attempt::stands : HeldCut::Attempt::runs);
-      ignores_cut_.store(held_->ignores(), std::memory_order_release);
-    }
-    return sample;
-  }
-  /// Any thread. Whether a stall has paused the loop since it ran last.
-  bool stalled() const noexcept { return stalled_.load(std::memory_order_acquire); }
-  /// Any thread. Whether a cut is held that counts for nothing.
-  bool ignores_cut() const noexcept { return ignores_cut_.load(std::memory_order_acquire); }
-  bool over() const noexcept override { return port_.over(); }
-  void write(const Feedback& feedback) noexcept override { port_.write(feedback); }
-  DeviceLimits limits() const override { return port_.limits(); }
-  void close() noexcept override { port_.close(); }
-
- private:
-  HapticPort& port_;
-  std::shared_ptr<const PedalSource> pedal_;
-  HapticLoop* loop_ = nullptr;
-  std::optional<HeldCut> held_;
-  std::optional<std::chrono::steady_clock::time_point> before_;  // end of the wait() before
-  std::atomic<bool> stalled_{false}, ignores_cut_{false};
-};
 }  // namespace
 
 struct ExerciseSession::Inner {
@@ -235,6 +185,8 @@ Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan pla
 }
 
 void ExerciseSession::pause() { inner_->loop().pause(); }
+
+void ExerciseSession::set_idle(bool on) { inner_->driven->watching.set_idle(on); }
 
 void ExerciseSession::resume() {
   if (inner_->time_is_up(inner_->loop().hand_over().latest.read())) return;

@@ -85,6 +85,8 @@ class ExerciseSession {
   ExerciseSession& operator=(const ExerciseSession&) = delete;
 
   void pause();
+  /// Takes cut and force off the device while the clock runs on; false gives them back as after a pause. For an attempt by hand.
+  void set_idle(bool on);
   /// Also after a fault, or when the device or the disk has come back: re-arms the guard, the force ramps in, and a cut that is held
   /// counts once it was released. Without effect once LiveView::time_is_up: the session itself holds the loop at its time limit, and
   /// only finish() is left.

@@ -1,9 +1,10 @@
 // What a device gives and gets while a question of an assessment is open.
-#include "ui/drill/idle_port.h"
+#include "ui/session/watching_port.h"
 
 #include <gtest/gtest.h>
 
 #include "engine/step/input.h"
+#include "tests/engine/loop/block_scene.h"
 #include "tests/modules.h"
 
 namespace cusp::test {
@@ -25,12 +26,12 @@ class PressedPort final : public HapticPort {
   Feedback got;
 };
 
-/// An idle port, and the device that it owns.
+/// The port of a loop that is not started: nobody but the test reads it.
 struct Pressed {
-  explicit Pressed(std::shared_ptr<const PedalSource> pedal = nullptr, std::unique_ptr<PressedPort> made = std::make_unique<PressedPort>())
-      : device(*made), port(std::move(made), std::move(pedal)) {}
-  PressedPort& device;
-  IdlePort port;
+  explicit Pressed(std::shared_ptr<const PedalSource> pedal = nullptr) : port(device, std::move(pedal), HeldCut()) { port.watch(loop); }
+  PressedPort device;
+  WatchingPort port;
+  HapticLoop loop{port, StepState(block_scene())};
 };
 
 /// A pedal that is pressed down.
@@ -39,9 +40,9 @@ class PressedPedal final : public PedalSource {
   PedalReading latest(std::chrono::steady_clock::time_point) const noexcept override { return {.pressed = 65535}; }
 };
 
-TEST(IdlePort, TakesCutAndForceOffTheDeviceAndKeepsTheRest) {
+TEST(WatchingPort, TakesCutAndForceOffTheDeviceAndKeepsTheRest) {
   Pressed pressed;
-  IdlePort& port = pressed.port;
+  WatchingPort& port = pressed.port;
   EXPECT_EQ(port.wait({}).buttons, StepInput::kCut | StepInput::kCoolant);
   port.write({.force_n = {0, 0, 2}, .in_contact = true});
   EXPECT_EQ(pressed.device.got.force_n, Vec3(0, 0, 2));
@@ -55,9 +56,9 @@ TEST(IdlePort, TakesCutAndForceOffTheDeviceAndKeepsTheRest) {
   EXPECT_TRUE(pressed.device.got.in_contact) << "the mouse's hand reads what it touches";
 }
 
-TEST(IdlePort, RearmsWithTheFirstSampleAfterwardsAlone) {
+TEST(WatchingPort, RearmsWithTheFirstSampleAfterwardsAlone) {
   Pressed pressed;
-  IdlePort& port = pressed.port;
+  WatchingPort& port = pressed.port;
   EXPECT_EQ(port.wait({}).buttons & StepInput::kRearm, 0);
   port.set_idle(true);
   EXPECT_EQ(port.wait({}).buttons & StepInput::kRearm, 0);
@@ -66,9 +67,9 @@ TEST(IdlePort, RearmsWithTheFirstSampleAfterwardsAlone) {
   EXPECT_EQ(port.wait({}).buttons & StepInput::kRearm, 0);
 }
 
-TEST(IdlePort, GivesNoForceBeforeTheSampleThatRearms) {
+TEST(WatchingPort, GivesNoForceBeforeTheSampleThatRearms) {
   Pressed pressed;
-  IdlePort& port = pressed.port;
+  WatchingPort& port = pressed.port;
   port.set_idle(true);
   port.wait({});
   port.set_idle(false);  // between the tick's sample and its force
@@ -79,9 +80,9 @@ TEST(IdlePort, GivesNoForceBeforeTheSampleThatRearms) {
   EXPECT_EQ(pressed.device.got.force_n, Vec3(0, 0, 2));
 }
 
-TEST(IdlePort, ACutThatIsHeldOverTheQuestionCountsOnlyOnceItWasReleased) {
+TEST(WatchingPort, ACutThatIsHeldOverTheQuestionCountsOnlyOnceItWasReleased) {
   Pressed pressed;
-  IdlePort& port = pressed.port;
+  WatchingPort& port = pressed.port;
   port.set_idle(true);
   port.wait({});
   EXPECT_FALSE(port.ignores_cut()) << "nobody is to release it under the question";
@@ -101,9 +102,9 @@ TEST(IdlePort, ACutThatIsHeldOverTheQuestionCountsOnlyOnceItWasReleased) {
   EXPECT_EQ(anew.pedal, 40'000);
 }
 
-TEST(IdlePort, TakesTheCutOffThePedalToo) {
+TEST(WatchingPort, TakesTheCutOffThePedalToo) {
   Pressed pressed(std::make_shared<PressedPedal>());
-  IdlePort& port = pressed.port;
+  WatchingPort& port = pressed.port;
   EXPECT_EQ(port.wait({}).pedal, 65535);
   port.set_idle(true);
   EXPECT_EQ(port.wait({}).buttons & StepInput::kCut, 0);
