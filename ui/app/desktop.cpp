@@ -331,6 +331,7 @@ void Desktop::back() {
   stack_->setCurrentIndex(stack_->count() - 1);
   // What lies below may have new results.
   if (shell_ && page() == shell_) return shell_->show_again();
+  look_at_briefing();
   if (last && page() != sign_in_) last->setFocus(Qt::OtherFocusReason);
 }
 

@@ -170,6 +170,8 @@ class Desktop : public QMainWindow {
   std::optional<Message> why_reading_only() const;
   void replace_root(QWidget* root);
   void show_briefing(const Exercise& exercise);
+  /// Shows in the briefing, if one is the page, what the attempt that lay over it has used up.
+  void look_at_briefing();
   void try_out(const SessionPlan& plan, const QString& title);
   /// An attempt on the station's device and with its pedal. Whoever calls connects what follows a finished attempt.
   DrillScreen* open_drilling(const SessionPlan& plan, const DrillText& text);

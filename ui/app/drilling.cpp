@@ -66,11 +66,16 @@ void Desktop::show_briefing(const Exercise& exercise) {
   if (!folder) return show_failure(describe(folder.error()));
   const Actor student = account_->actor();
   const auto refusal = why_no_practice(*store_, student, exercise.scenario.id);
-  auto* briefing = new Briefing(exercise, *pictures_, *folder, teeth_, refusal ? refusal->line() : QString(),
-                                uncounted_text_of(*store_, student, exercise, device_class()));
+  auto* briefing = new Briefing(exercise, *pictures_, *folder, teeth_, refusal ? refusal->line() : QString());
+  briefing->show_uncounted(uncounted_text_of(*store_, student, exercise, device_class()));
   connect(briefing, &Briefing::back_wanted, this, &Desktop::back);
   connect(briefing, &Briefing::start_wanted, this, &Desktop::drill);
   push(briefing);
+}
+
+void Desktop::look_at_briefing() {
+  auto* briefing = qobject_cast<Briefing*>(page());
+  if (briefing != nullptr && account_) briefing->show_uncounted(uncounted_text_of(*store_, account_->actor(), briefing->exercise(), device_class()));
 }
 
 DrillScreen* Desktop::open_drilling(const SessionPlan& plan, const DrillText& text) {

@@ -97,13 +97,12 @@ void show_covering(QLabel* label, const QImage& image, double radius) {
 }
 
 Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std::filesystem::path& folder,
-                   std::shared_ptr<ToothCache> teeth, const QString& refusal, const QString& uncounted, QWidget* parent)
+                   std::shared_ptr<ToothCache> teeth, const QString& refusal, QWidget* parent)
     : QWidget(parent),
       exercise_(exercise),
       pictures_(pictures),
       folder_(folder),
       refusal_(refusal),
-      uncounted_(uncounted),
       teeth_(opengl_allowed() ? std::move(teeth) : nullptr),
       stack_(new QStackedWidget) {
   if (teeth_) ahead_.emplace(teeth_, ToothWish{exercise.scenario, folder, Guidance::full, nullptr});
@@ -143,6 +142,11 @@ QWidget* Briefing::make_briefing() {
   return page;
 }
 
+void Briefing::show_uncounted(const QString& text) {
+  uncounted_->setText(text);
+  uncounted_->setVisible(!text.isEmpty());
+}
+
 void Briefing::watch_reference() {
   auto* page = new ReferencePage(teeth_, ToothWish{exercise_.scenario, folder_, Guidance::full, nullptr}, local(exercise_.scenario.title));
   stack_->setCurrentIndex(stack_->addWidget(page));
@@ -173,8 +177,10 @@ void Briefing::fill_text(QVBoxLayout& text) {
   text.addSpacing(px(8));
   add_facts(text);
   text.addSpacing(px(16));
-  for (const QString& note : {refusal_, uncounted_})
-    if (!note.isEmpty()) text.addWidget(make_limit_note(note));
+  if (!refusal_.isEmpty()) text.addWidget(make_limit_note(refusal_));
+  uncounted_ = make_limit_note({});
+  uncounted_->hide();
+  text.addWidget(uncounted_);
   auto* acts = new QHBoxLayout;
   start_ = make_large_button(tr("Start"), ButtonKind::primary, u"play"_qs);
   start_->setDefault(true);

@@ -19,10 +19,13 @@ class Briefing : public QWidget {
 
  public:
   /// While it stands, the tooth is made ahead for Start. `teeth` null: it is not. `refusal`: why neither Start nor the reference is offered;
-  /// empty: they are. `uncounted`: uncounted_text().
+  /// empty: they are.
   Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std::filesystem::path& folder,
-           std::shared_ptr<ToothCache> teeth, const QString& refusal = {}, const QString& uncounted = {}, QWidget* parent = nullptr);
+           std::shared_ptr<ToothCache> teeth, const QString& refusal = {}, QWidget* parent = nullptr);
   QPushButton* start_button() const { return start_; }
+  const Exercise& exercise() const { return exercise_; }
+  /// uncounted_text(); empty: a further attempt counts.
+  void show_uncounted(const QString& text);
   /// nullptr where the reference cannot be shown: no path, no pictures, no teeth made ahead, or a refusal.
   QPushButton* watch_button() const { return watch_; }
 
@@ -42,11 +45,11 @@ class Briefing : public QWidget {
   Exercise exercise_;
   ThumbnailCache& pictures_;
   std::filesystem::path folder_;
-  QString refusal_, uncounted_;
+  QString refusal_;
   std::shared_ptr<ToothCache> teeth_;
   std::optional<ToothAhead> ahead_;
   QStackedWidget* stack_;  // the briefing, and the reference over it
-  QLabel* picture_;
+  QLabel *picture_, *uncounted_;
   QPushButton *back_, *start_;
   QPushButton* watch_ = nullptr;
 };

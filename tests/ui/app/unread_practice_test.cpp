@@ -4,9 +4,6 @@
 #include <QLabel>
 #include <QTemporaryDir>
 #include <memory>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
@@ -36,12 +33,13 @@ struct UnreadPractice : ::testing::Test {
     desktop->show();
     desktop->sign_in(lena);
   }
-  void assign(std::vector<std::string> device_classes) {
+  AssignmentId assign(Assignment wanted) {
     Store& store = records.store();
     const Actor examiner = store.accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
-    const CohortId cohort = store.cohorts.create(examiner, "Year 3")->id;
-    ASSERT_TRUE(store.cohorts.add(examiner, cohort, desktop->account()->id));
-    ASSERT_TRUE(store.assignments.create(examiner, {.version = exercise.version, .cohort = cohort, .device_classes = std::move(device_classes)}));
+    wanted.version = exercise.version;
+    wanted.cohort = store.cohorts.create(examiner, "Year 3")->id;
+    EXPECT_TRUE(store.cohorts.add(examiner, wanted.cohort, desktop->account()->id));
+    return store.assignments.create(examiner, wanted)->id;
   }
   /// Whether a page shows the sentence.
   bool shows(const QString& sentence) const {
@@ -84,10 +82,24 @@ TEST_F(UnreadPractice, whose_assignment_cannot_be_asked_would_count_for_none) {
 }
 
 TEST_F(UnreadPractice, that_counts_only_with_another_device_shows_that_in_its_briefing) {
-  assign({"falcon"});
+  assign({.device_classes = {"falcon"}});
   Q_EMIT desktop->findChild<StartPage*>()->briefing_wanted(exercise);
   ASSERT_NE(qobject_cast<Briefing*>(desktop->page()), nullptr);
   EXPECT_TRUE(shows(QStringLiteral("Counts only with Falcon")));
+}
+
+TEST_F(UnreadPractice, whose_last_attempt_is_used_shows_that_in_the_briefing_that_it_began_from) {
+  NewSession wanted{.student = desktop->account()->id, .version = exercise.version, .assignment = assign({.attempts_allowed = 1})};
+  wanted.header.device.device_class = "pointer";
+  wanted.header.scene = "{}";
+  Q_EMIT desktop->findChild<StartPage*>()->briefing_wanted(exercise);
+  const QString used = QStringLiteral("Every attempt that counts is used");
+  EXPECT_FALSE(shows(used));
+  desktop->push(new QWidget);
+  ASSERT_TRUE(records.store().sessions.start(desktop->account()->actor(), wanted));
+  desktop->back();
+  ASSERT_NE(qobject_cast<Briefing*>(desktop->page()), nullptr);
+  EXPECT_TRUE(shows(used));
 }
 
 TEST_F(UnreadPractice, whose_volume_is_not_there_names_that_and_not_the_file_that_was_never_written) {
