@@ -86,6 +86,7 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
   connect(&idle_, &IdleWatch::idle, this, &Desktop::lock_idle);
   connect(&backup_timer_, &QTimer::timeout, this, &Desktop::keep_daily_backup);
   connect(&account_timer_, &QTimer::timeout, this, &Desktop::look_at_account);
+  connect(&account_timer_, &QTimer::timeout, this, &Desktop::look_at_opening);
 }
 
 Desktop::~Desktop() = default;
@@ -155,6 +156,11 @@ void Desktop::sign_in(const Account& account) {
   open_waiting_file();
   take_from_behind_lock();
   save_behind_lock();
+}
+
+void Desktop::look_at_opening() {
+  auto* start = shell_ && page() == shell_ ? qobject_cast<StartPage*>(shell_->page()) : nullptr;
+  if (start != nullptr) start->look_at_clock(ports_.now());
 }
 
 void Desktop::begin_idle() { idle_.set_limit(std::chrono::minutes(settings_.idle_minutes())); }

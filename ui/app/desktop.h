@@ -136,6 +136,8 @@ class Desktop : public QMainWindow {
   void begin_idle();
   /// Locks if the account was switched off, erased or given another role since it signed in: pages read in that role.
   void look_at_account();
+  /// Offers an assessment that has opened while the start page is shown.
+  void look_at_opening();
   /// Signs out, keeps what can be kept, and says why.
   void lock(const QString& why);
   /// The pages over the shell go out of sight, for sign_in() of the same account.

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QTimer>
 #include <algorithm>
+#include <utility>
 
 #include "ui/modules.h"
 #include "ui/render/opengl_allowed.h"
@@ -116,12 +117,22 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
 }
 
 void StartPage::wait_for_opening(const QDateTime& now) {
-  std::int64_t wait_ms = kLongestWaitMs;
   for (const AssignedAssessment& a : assessments_) {
     if (a.state != AssignedAssessment::State::later) continue;
-    wait_ms = std::min<std::int64_t>(wait_ms, (*a.assignment.opens_utc_us + 999) / 1000 - now.toMSecsSinceEpoch());
+    const std::int64_t opens_ms = (*a.assignment.opens_utc_us + 999) / 1000;
+    opens_ms_ = std::min(opens_ms_.value_or(opens_ms), opens_ms);
   }
-  if (wait_ms < kLongestWaitMs) QTimer::singleShot(std::chrono::milliseconds(wait_ms), Qt::PreciseTimer, this, &StartPage::assessment_opened);
+  if (!opens_ms_) return;
+  const std::int64_t wait_ms = *opens_ms_ - now.toMSecsSinceEpoch();
+  if (wait_ms < kLongestWaitMs) QTimer::singleShot(std::chrono::milliseconds(wait_ms), Qt::PreciseTimer, this, &StartPage::note_opened);
+}
+
+void StartPage::note_opened() {
+  if (std::exchange(opens_ms_, std::nullopt)) Q_EMIT assessment_opened();
+}
+
+void StartPage::look_at_clock(const QDateTime& now) {
+  if (opens_ms_ && now.toMSecsSinceEpoch() >= *opens_ms_) note_opened();
 }
 
 QWidget* StartPage::make_main(const Account& account) {

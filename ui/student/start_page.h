@@ -30,6 +30,8 @@ class StartPage : public QWidget {
   /// The first card of an interrupted attempt; nullptr without one.
   InterruptedCard* interrupted() const { return interrupted_; }
   Table* table() const { return table_; }
+  /// Whoever shows the page asks now and then: the page's own timer stands still while the computer sleeps.
+  void look_at_clock(const QDateTime& now);
 
  Q_SIGNALS:
   void assessment_wanted(const AssignedAssessment& assessment);
@@ -50,6 +52,7 @@ class StartPage : public QWidget {
   QWidget* make_main(const Account& account);
   void make_assessments(QBoxLayout& column, const Account& account);
   void wait_for_opening(const QDateTime& now);
+  void note_opened();
   /// An assessment can be started now.
   bool assessed() const {
     return std::ranges::any_of(assessments_, [](const auto& a) { return a.state == AssignedAssessment::State::open; });
@@ -74,6 +77,7 @@ class StartPage : public QWidget {
   std::filesystem::path volumes_;
   Course course_;
   std::vector<AssignedAssessment> assessments_;
+  std::optional<std::int64_t> opens_ms_;  // of the first one that opens later, since 1970; nullopt: none, or assessment_opened() was emitted
   InterruptedCard* interrupted_ = nullptr;
   std::optional<CourseRow> next_;
   QString refusal_;  // why next_ cannot be practised now; empty: it can

@@ -255,5 +255,26 @@ TEST_F(LeftAssessment, leads_from_the_results_to_the_start_page_and_one_that_run
   EXPECT_EQ(desktop->shell()->page_key(), QStringLiteral("start"));
 }
 
+TEST_F(LeftAssessment, that_opened_while_the_computer_slept_is_offered_without_a_press) {
+  QDateTime now = QDateTime::currentDateTime();
+  constexpr int kHourS = 3600;
+  const Assignment later{.version = exercise.version, .cohort = exam.cohort, .kind = SessionKind::assessment, .opens_utc_us = now.addSecs(kHourS).toMSecsSinceEpoch() * 1000};
+  ASSERT_TRUE(records.store().assignments.create(examiner, later, "4712"));
+  Ports with_clock = ports;
+  with_clock.now = [&now] { return now; };
+  desktop = std::make_unique<Desktop>(settings, with_clock, records.file());
+  desktop->start();
+  desktop->show();
+  desktop->sign_in(lena);
+  const auto starts = [this] {
+    const auto cards = desktop->page()->findChildren<AssessmentCard*>();
+    return std::ranges::count_if(cards, [](const AssessmentCard* card) { return card->start_button() != nullptr; });
+  };
+  EXPECT_EQ(starts(), 1) << "the other one is open";
+  now = now.addSecs(kHourS);  // the page's timer has not run meanwhile
+  EXPECT_TRUE(QTest::qWaitFor([&] { return starts() == 2; }, kDrillingMs));
+  desktop.reset();  // it has the clock
+}
+
 }  // namespace
 }  // namespace cusp::test
