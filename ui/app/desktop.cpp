@@ -227,6 +227,7 @@ QVector<NavEntry> Desktop::entries() {
   const bool writing = !reading_only_;
   if (writing && role == Role::student) {
     list += {u"start"_qs, tr("Start"), u"home"_qs, [this]() -> QWidget* {
+               mark_left();
                auto* page = new StartPage(*store_, *account_, *pictures_, ports_.now(), device_class(), volume_folder());
                connect(page, &StartPage::resume_wanted, this, &Desktop::resume_attempt);
                connect(page, &StartPage::grade_wanted, this, &Desktop::grade_interrupted);

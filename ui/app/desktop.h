@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "storage/store.h"
 #include "ui/app/idle_watch.h"
@@ -212,6 +213,8 @@ class Desktop : public QMainWindow {
   void show_quick_start();
   void keep_device_test(const DeviceTest& test);
   void show_failure(const Message& message);
+  /// Attempts that were left and still count as running, because the disk was full or the file was held, are interrupted now.
+  void mark_left();
   /// True, with a page that gives the reason, where nothing can be drilled because no picture can be drawn.
   bool refuse_drilling();
   /// True, with a page that gives the reason (why_no_practice()).
@@ -256,6 +259,7 @@ class Desktop : public QMainWindow {
     QWidget* pages = nullptr;  // hidden; its children, the lowest page first
   };
   std::map<std::pair<UserId, Role>, BehindLock> behind_lock_;  // what cannot be saved, by account and the role that its pages act in
+  std::vector<SessionId> unmarked_;  // as of DrillScreen::left_unmarked()
   bool closes_anyway_ = false;
 };
 

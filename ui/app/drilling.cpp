@@ -85,6 +85,7 @@ DrillScreen* Desktop::open_drilling(const SessionPlan& plan, const DrillText& te
   const DeviceChoice device = DeviceSettings(settings_.file()).choice();
   screen->use_device(device);
   screen->use_teeth(teeth_);
+  connect(screen, &DrillScreen::left_unmarked, this, [this](const SessionId& session) { unmarked_.push_back(session); });
   connect(screen, &DrillScreen::left, this, &Desktop::back);
   connect(screen, &DrillScreen::failed, this, [this, kind = device.kind](const SessionFailure& failure) {
     back();
@@ -101,6 +102,13 @@ DrillScreen* Desktop::open_drilling(const SessionPlan& plan, const DrillText& te
   if (hid_) with_pedal.pedal = hid_->pedal_source();
   screen->begin(std::move(with_pedal), text);
   return screen;
+}
+
+void Desktop::mark_left() {
+  std::erase_if(unmarked_, [this](const SessionId& session) {
+    const auto marked = store_->sessions.interrupt(session, "left");
+    return marked || marked.error().code == StorageError::wrong_state;  // else another one has marked it
+  });
 }
 
 bool Desktop::refuse_drilling() {

@@ -228,7 +228,7 @@ void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optio
     in.busy->finish();
     in.over = true;
     if (!failure) {
-      opened->session->abandon();
+      if (!opened->session->abandon()) Q_EMIT left_unmarked(opened->session->session());
       opened->session.reset();
     }
     if (called_off) {

@@ -53,6 +53,8 @@ class DrillScreen : public QWidget {
   void finished(std::shared_ptr<const SessionResult> result);
   /// The attempt was left; nothing is running.
   void left();
+  /// Before left(): the records could not be written and still show the attempt as running. Whoever has them tries again.
+  void left_unmarked(const SessionId& session);
   /// It could not start or be graded: the page that opened it shows why.
   void failed(SessionFailure failure);
 
@@ -76,7 +78,7 @@ class DrillScreen : public QWidget {
   void hold_for_question();
   void answered_no();
   void leave_now();
-  void abandoned();
+  void abandoned(const std::optional<SessionId>& unmarked);
   void finish_now();
   void graded(const std::shared_ptr<Outcome<SessionResult>>& result);
   void enable_controls(bool on);

@@ -2,6 +2,7 @@
 
 #include <QLocale>
 #include <QPointer>
+#include <optional>
 #include <utility>
 
 #include "ui/drill/drill_screen_inner.h"
@@ -117,17 +118,18 @@ void DrillScreen::leave_now() {
   in.stage->show_stopped(DrillStage::Stop::none);
   in.busy->start(tr("Leaving the attempt"), Busy::Cancel::none);
   in.worker = std::thread([this, session = in.attempt->session.get()] {
-    session->abandon();
-    QMetaObject::invokeMethod(this, [this] { abandoned(); }, Qt::QueuedConnection);
+    const auto unmarked = session->abandon() ? std::nullopt : std::optional(session->session());
+    QMetaObject::invokeMethod(this, [this, unmarked] { abandoned(unmarked); }, Qt::QueuedConnection);
   });
 }
 
-void DrillScreen::abandoned() {
+void DrillScreen::abandoned(const std::optional<SessionId>& unmarked) {
   Inner& in = *inner_;
   in.worker.join();
   in.working = false;
   in.busy->finish();
   in.attempt->session.reset();
+  if (unmarked) Q_EMIT left_unmarked(*unmarked);
   Q_EMIT left();
 }
 

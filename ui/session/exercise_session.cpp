@@ -233,10 +233,10 @@ Outcome<SessionResult> ExerciseSession::finish(const MeasureProgress& progress) 
   return result;
 }
 
-void ExerciseSession::abandon() {
+bool ExerciseSession::abandon() {
   Inner& in = *inner_;
   in.stop();
-  if (in.over) return;
+  if (in.over) return true;
   in.over = true;
   if (in.recorder) {
     // What could not be written may be written by now: it is tried once more.
@@ -245,9 +245,9 @@ void ExerciseSession::abandon() {
     in.store = in.recorder->take_store();
     in.recorder.reset();
   }
-  // Where even this cannot be written, the session is marked when the database is opened next.
-  if (in.store) static_cast<void>(in.store->sessions.interrupt(in.setup.session, "left"));
+  const bool marked = !in.store || in.store->sessions.interrupt(in.setup.session, "left").has_value();
   in.store.reset();
+  return marked;
 }
 
 LiveView ExerciseSession::view() const {

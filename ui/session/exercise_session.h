@@ -101,8 +101,9 @@ class ExerciseSession {
   /// were not taken off in time is graded as it stands, with SessionResult::interrupted set. driver_silent (device, where nothing is kept): the
   /// session is abandoned. `progress`: of the measuring, on the calling thread.
   Outcome<SessionResult> finish(const MeasureProgress& progress = {});
-  /// Stops; the session stays as interrupted in the database and can be graded as it stands.
-  void abandon();
+  /// Stops; the session stays as interrupted in the database and can be graded as it stands. False if that could not be written: the session
+  /// counts as running until Sessions::interrupt() succeeds, or this process has ended.
+  bool abandon();
 
   /// The newest values; cheap; takes no lock that the loop ever takes.
   LiveView view() const;

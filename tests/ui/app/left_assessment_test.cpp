@@ -12,12 +12,15 @@
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
+#include "storage/sqlite/database.h"
 #include "tests/modules.h"
+#include "tests/refused_rows.h"
 #include "tests/ui/desk_records.h"
 #include "ui/app/desktop.h"
 #include "ui/app/shell.h"
 #include "ui/drill/drill_screen.h"
 #include "ui/report/report_page.h"
+#include "ui/student/interrupted_card.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::test {
@@ -274,6 +277,23 @@ TEST_F(LeftAssessment, that_opened_while_the_computer_slept_is_offered_without_a
   now = now.addSecs(kHourS);  // the page's timer has not run meanwhile
   EXPECT_TRUE(QTest::qWaitFor([&] { return starts() == 2; }, kDrillingMs));
   desktop.reset();  // it has the clock
+}
+
+TEST_F(LeftAssessment, whose_end_could_not_be_written_is_continued_once_it_can_be) {
+  auto database = Database::open(records.file());
+  ASSERT_TRUE(database);
+  sit();
+  // Refused as on a full disk, but at once.
+  ASSERT_TRUE(refuse_rows(*database, "session_events", "kind = 'started'"));
+  screen()->ask_leave();
+  answer(true);
+  ASSERT_TRUE(leaves());
+  const SessionId session = records.store().history.list(lena.actor())->front().session;
+  EXPECT_EQ(state_of(session), SessionState::running);
+  ASSERT_TRUE(take_rows(*database, "session_events"));
+  desktop->shell()->show_page(QStringLiteral("start"));
+  EXPECT_EQ(state_of(session), SessionState::interrupted);
+  EXPECT_NE(desktop->page()->findChild<InterruptedCard*>(), nullptr);
 }
 
 }  // namespace
