@@ -157,7 +157,7 @@ QString uncounted_text(const CourseRow& row, const std::string& device_class) {
   if (row.over) return row.passed ? QString() : CourseModel::tr("The time for its assignment is over: a further attempt is kept, but does not count.");
   if (row.used_up()) return CourseModel::tr("Every attempt that counts is used: a further one is kept, but does not count.");
   if (storage::admits(row.device_classes, device_class)) return {};
-  return CourseModel::tr("Counts only with %1: choose it on the page Device.").arg(device_names(row.device_classes));
+  return CourseModel::tr("Counts only with %1: ask the staff to choose it on the page Device.").arg(device_names(row.device_classes));
 }
 
 CourseModel::CourseModel(std::vector<CourseRow> rows, QObject* parent)

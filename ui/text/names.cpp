@@ -155,7 +155,7 @@ QString drawn_tooth_text() { return Text::tr("another tooth for each candidate")
 QString self_test_advice(const std::string& device_class) {
   const DeviceKind* kind = device::device_kind(device_class);
   if (kind && kind->self_test) return Text::tr("Ask the staff for a self-test of the %1 on the page Device.").arg(device_name(device_class));
-  return Text::tr("%1: there is no self-test. Choose another device on the page Device.").arg(device_name(device_class));
+  return Text::tr("%1: there is no self-test. Ask the staff to choose another device on the page Device.").arg(device_name(device_class));
 }
 
 QString tissue_name(Tissue tissue) {

@@ -199,7 +199,7 @@ Message describe_other_device(const StorageFailure& f) {
   std::vector<std::string> admitted;
   for (const QString& one : text(f.detail).split(u' ', Qt::SkipEmptyParts)) admitted.push_back(one.toStdString());
   return {Text::tr("This assignment needs another device."),
-          Text::tr("Admitted: %1. In use: %2. Choose another one on the page Device.").arg(device_names(admitted), device_name(f.where))};
+          Text::tr("Admitted: %1. In use: %2. Ask the staff to choose another one on the page Device.").arg(device_names(admitted), device_name(f.where))};
 }
 
 Message describe_self_test_due(const StorageFailure& f) {

@@ -387,6 +387,9 @@ TEST_F(Assessments, RefusedByARuleNameWhatToDoNext) {
   for (const char* rule : {"withdrawn", "past_due", "attempts_used"})
     EXPECT_TRUE(describe(StorageFailure{StorageError::wrong_state, rule, {}}).more.contains(QStringLiteral("Ask your instructor."))) << rule;
   EXPECT_TRUE(describe(StorageFailure{StorageError::wrong_state, "not_open", {}}).more.contains(QStringLiteral("start page")));
+  // Staff choose the device.
+  EXPECT_TRUE(describe(StorageFailure{StorageError::other_device, "pointer", "falcon"}).more.contains(QStringLiteral("Ask the staff")));
+  EXPECT_TRUE(describe(StorageFailure{StorageError::self_test_due, "pointer", "7"}).more.contains(QStringLiteral("Ask the staff")));
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ TEST_F(AssignedPractice, WarnsOnceEveryAttemptIsUsed) {
 
 TEST_F(AssignedPractice, WarnsWhereItAsksForAnotherDevice) {
   assign({.version = delivered(), .device_classes = {"falcon"}});
-  EXPECT_TRUE(warns("choose it on the page Device"));
+  EXPECT_TRUE(warns("ask the staff to choose it on the page Device"));
   EXPECT_TRUE(uncounted_text(row(), "falcon").isEmpty());
 }
 
