@@ -29,7 +29,7 @@ QString how_far(Store& store, const HistoryRow& row) {
 
 QString why_not_on(InterruptedWay way, const HistoryRow& row, const std::string& device_class) {
   if (way == InterruptedWay::other_device) {
-    return InterruptedCard::tr("It was cut with: %1. This station drills with: %2, so it cannot be continued here.")
+    return InterruptedCard::tr("It was cut with: %1. This station drills with: %2. To continue it here, ask the staff to choose the first one on the page Device.")
         .arg(device_name(row.device_class), device_name(device_class));
   }
   if (way == InterruptedWay::volume_kept) {

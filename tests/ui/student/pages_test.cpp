@@ -108,7 +108,7 @@ TEST_F(Pages, an_attempt_with_another_device_can_only_be_graded_as_it_stands) {
   const SessionId broken = records.broken_attempt(lena, "channel-1");
   StartPage page(records.store(), lena, pictures, now, "falcon");
   ASSERT_NE(page.interrupted(), nullptr);
-  EXPECT_TRUE(texts(*page.interrupted()).contains(QStringLiteral("cannot be continued here")));
+  EXPECT_TRUE(texts(*page.interrupted()).contains(QStringLiteral("To continue it here, ask the staff")));
   std::optional<SessionId> graded;
   QObject::connect(&page, &StartPage::grade_wanted, [&](const SessionId& id) { graded = id; });
   page.interrupted()->primary()->click();
