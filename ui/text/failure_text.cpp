@@ -120,7 +120,7 @@ Message describe(const PortFailure& f) {
     case PortError::not_found:
       return {Text::tr("The device was not found."), Text::tr("%1 is not connected. Check cable and power.").arg(where)};
     case PortError::no_permission:
-      return {Text::tr("This user may not open the device."), Text::tr("%1 refused.").arg(where)};
+      return {Text::tr("This user may not open the device."), Text::tr("%1 refused. The Device page shows the line that permits it.").arg(where)};
     case PortError::busy:
       return {Text::tr("Another program holds the device."), Text::tr("Close it and try %1 again.").arg(where)};
     case PortError::bad_file:

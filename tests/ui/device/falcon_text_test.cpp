@@ -53,6 +53,12 @@ TEST(FalconText, a_falcon_that_nobody_named_is_called_one) {
   EXPECT_TRUE(describe_falcon({PortError::not_found, "FT000001", "absent"}).more.contains(QStringLiteral("FT000001")));
 }
 
+TEST(FalconText, a_falcon_that_may_not_be_opened_is_named_with_the_way_out) {
+  const Message denied = describe_falcon({PortError::no_permission, "FT000001", "denied"});
+  EXPECT_TRUE(denied.more.contains(QStringLiteral("FT000001"))) << denied.more.toStdString();
+  EXPECT_TRUE(denied.more.contains(QStringLiteral("Device page"))) << denied.more.toStdString();
+}
+
 TEST(FalconText, firmware_that_is_lacking_is_no_script) {
   const SessionFailure lacking{.code = SessionError::device, .where = "FT000001", .detail = "needs_image", .cause = PortError::bad_file};
   EXPECT_EQ(describe_on_device(lacking, "falcon").what, "The Falcon needs its firmware file.");
