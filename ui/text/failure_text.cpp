@@ -163,10 +163,10 @@ Message describe(const SessionFailure& f) {
       return {Text::tr("The device did not open."), Text::tr("%1 refused. No attempt was started.").arg(where)};
     case SessionError::device_class:
       return {Text::tr("This exercise does not admit this device."),
-              Text::tr("Connected is: %1. No attempt was started.").arg(device_name(f.where))};
+              Text::tr("Connected is: %1. No attempt was started. Staff choose the device on the page Device.").arg(device_name(f.where))};
     case SessionError::device_axes:
       return {Text::tr("This exercise needs a device that senses %1 axes.").arg(QString::fromStdString(f.detail)),
-              Text::tr("Connected is: %1. No attempt was started.").arg(device_name(f.where))};
+              Text::tr("Connected is: %1. No attempt was started. Staff choose the device on the page Device.").arg(device_name(f.where))};
     case SessionError::scenario:
       return {Text::tr("The stored exercise cannot be read."), Text::tr("Look at %1. Nothing was changed.").arg(where)};
     case SessionError::storage:

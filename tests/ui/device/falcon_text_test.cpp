@@ -66,6 +66,14 @@ TEST(FalconText, firmware_that_is_lacking_is_no_script) {
   EXPECT_EQ(describe_on_device(broken, "scripted").what, "The script cannot be read.");
 }
 
+TEST(DeviceText, a_device_that_an_exercise_does_not_admit_is_named_with_the_way_to_another) {
+  for (const SessionError why : {SessionError::device_class, SessionError::device_axes}) {
+    const Message refused = describe_on_device({.code = why, .where = "pointer", .detail = "6"}, "pointer");
+    EXPECT_TRUE(refused.more.contains(QStringLiteral("Mouse and keys"))) << refused.more.toStdString();
+    EXPECT_TRUE(refused.more.contains(QStringLiteral("page Device"))) << refused.more.toStdString();
+  }
+}
+
 TEST(DeviceText, a_service_that_is_absent_and_one_without_an_inverse3_are_different_causes) {
   const SessionFailure no_service{.code = SessionError::device, .where = "service", .cause = PortError::not_found};
   const SessionFailure no_device{.code = SessionError::device, .where = "device", .cause = PortError::not_found};
