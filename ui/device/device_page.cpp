@@ -112,6 +112,7 @@ DevicePage::DevicePage(Settings& settings, Ports ports, Role role, hid::HidStati
   in.no_falcon = make_label({}, TextRole::body, Weight::regular, "text2");
   in.no_falcon->setWordWrap(true);
   card->body()->addWidget(in.no_falcon);
+  if (!in.staff()) card->body()->addWidget(make_label(tr("Staff choose the device."), TextRole::body, Weight::regular, "text2"));
   in.rights = new RightsRow(card);
   card->body()->addWidget(in.rights);
   body->addWidget(card);

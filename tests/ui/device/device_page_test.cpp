@@ -108,6 +108,12 @@ TEST(DevicePage, lists_what_is_plugged_in_and_keeps_what_was_chosen) {
   EXPECT_EQ(desk.choice().name, "FT000002");
 }
 
+TEST(DevicePage, shows_a_student_who_chooses_the_device) {
+  Desk desk;
+  EXPECT_TRUE(shows(*desk.page(Role::student), QStringLiteral("Staff choose the device.")));
+  EXPECT_FALSE(shows(*desk.page(Role::instructor), QStringLiteral("Staff choose the device.")));
+}
+
 TEST(DevicePage, a_device_is_chosen_by_a_screen_reader_as_by_a_click) {
   Desk desk;
   auto page = desk.page(Role::instructor);
