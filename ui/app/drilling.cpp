@@ -136,7 +136,8 @@ void Desktop::drill(const Exercise& exercise) {
     plan.assignment = *assignment;
     const auto attempts = store_->history.attempts(account_->actor(), account_->id, exercise.scenario.id);
     if (!attempts) return show_failure(unread_practice(attempts.error()));
-    aside = tr("Practice, attempt %1").arg(*attempts + 1);
+    const bool uncounted = !plan.assignment && !uncounted_text_of(*store_, account_->actor(), exercise, device_class()).isEmpty();
+    aside = (uncounted ? tr("Practice, attempt %1, not counted") : tr("Practice, attempt %1")).arg(*attempts + 1);
   } else {
     plan.kind = SessionKind::try_it;
   }

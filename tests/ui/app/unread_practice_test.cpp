@@ -3,6 +3,7 @@
 
 #include <QLabel>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <memory>
 
 #include "scenarios/format/content_hash.h"
@@ -81,11 +82,14 @@ TEST_F(UnreadPractice, whose_assignment_cannot_be_asked_would_count_for_none) {
   EXPECT_FALSE(begins());
 }
 
-TEST_F(UnreadPractice, that_counts_only_with_another_device_shows_that_in_its_briefing) {
+TEST_F(UnreadPractice, that_counts_only_with_another_device_shows_that_before_and_while_it_is_drilled) {
   assign({.device_classes = {"falcon"}});
   Q_EMIT desktop->findChild<StartPage*>()->briefing_wanted(exercise);
   ASSERT_NE(qobject_cast<Briefing*>(desktop->page()), nullptr);
   EXPECT_TRUE(shows(QStringLiteral("Counts only with Falcon")));
+  desktop->drill(exercise);
+  const auto labels = desktop->page()->findChildren<QLabel*>();
+  EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel* label) { return label->accessibleName() == QStringLiteral("Practice, attempt 1, not counted"); }));
 }
 
 TEST_F(UnreadPractice, whose_last_attempt_is_used_shows_that_in_the_briefing_that_it_began_from) {
