@@ -144,6 +144,18 @@
         <source>Interrupted: see below</source>
         <translation>Unterbrochen: siehe unten</translation>
     </message>
+    <message>
+        <source>It runs in another window. Until it is handed in there, the exercise cannot be practised.</source>
+        <translation>Sie läuft in einem anderen Fenster. Bis sie dort abgegeben ist, ist zu dieser Übung kein Training möglich.</translation>
+    </message>
+    <message>
+        <source>This exercise cannot be practised now.</source>
+        <translation>Diese Übung kann jetzt nicht trainiert werden.</translation>
+    </message>
+    <message>
+        <source>Try again; if that does not help, ask your instructor. Your assignments or attempts could not be read: %1</source>
+        <translation>Versuchen Sie es noch einmal; hilft das nicht, fragen Sie Ihre Lehrkraft. Ihre Zuweisungen oder Versuche konnten nicht gelesen werden: %1</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssessmentPage</name>
@@ -3736,6 +3748,18 @@
         <extracomment>%1: level and expected time of an exercise, %2: the student&apos;s standing at it.</extracomment>
         <translation>%1; %2</translation>
     </message>
+    <message>
+        <source>The time for its assignment is over: a further attempt is kept, but does not count.</source>
+        <translation>Die Zeit für die Zuweisung ist um: Ein weiterer Versuch wird aufbewahrt, zählt aber nicht.</translation>
+    </message>
+    <message>
+        <source>Every attempt that counts is used: a further one is kept, but does not count.</source>
+        <translation>Alle zählenden Versuche sind verbraucht: Ein weiterer wird aufbewahrt, zählt aber nicht.</translation>
+    </message>
+    <message>
+        <source>Counts only with %1: ask the staff to choose it on the page Device.</source>
+        <translation>Zählt nur mit %1: Bitten Sie das Personal, es auf der Seite Gerät zu wählen.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CriteriaCard</name>
@@ -4258,6 +4282,10 @@
         <source>No appeal pack was saved as %1.</source>
         <translation>Unter %1 wurde keine Einspruchsakte gespeichert.</translation>
     </message>
+    <message>
+        <source>Practice, attempt %1, not counted</source>
+        <translation>Training, Versuch %1, zählt nicht</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DeviationLegend</name>
@@ -4376,6 +4404,10 @@
     <message>
         <source>%1 cannot be written, so the next start does not know the file.</source>
         <translation>%1 kann nicht geschrieben werden, darum kennt der nächste Start die Datei nicht.</translation>
+    </message>
+    <message>
+        <source>Staff choose the device.</source>
+        <translation>Das Personal wählt das Gerät.</translation>
     </message>
 </context>
 <context>
@@ -6752,10 +6784,6 @@
 <context>
     <name>cusp::ui::InterruptedCard</name>
     <message>
-        <source>It was cut with: %1. This station drills with: %2, so it cannot be continued here.</source>
-        <translation>Präpariert wurde mit: %1. Diese Station präpariert mit: %2; hier kann der Versuch nicht fortgesetzt werden.</translation>
-    </message>
-    <message>
         <source>A scripted operator cut it, so it cannot be continued by hand.</source>
         <translation>Ein automatischer Operateur hat ihn ausgeführt; von Hand kann er nicht fortgesetzt werden.</translation>
     </message>
@@ -6798,6 +6826,10 @@
     <message>
         <source>An older version of Cusp ended it without a grade, so it cannot be continued.</source>
         <translation>Eine ältere Version von Cusp hat ihn ohne Bewertung beendet; fortgesetzt werden kann er nicht.</translation>
+    </message>
+    <message>
+        <source>It was cut with: %1. This station drills with: %2. To continue it here, ask the staff to choose the first one on the page Device.</source>
+        <translation>Präpariert wurde mit: %1. Diese Station präpariert mit: %2. Um den Versuch hier fortzusetzen, bitten Sie das Personal, auf der Seite Gerät das erste zu wählen.</translation>
     </message>
 </context>
 <context>
@@ -11081,10 +11113,6 @@ Ihr bester davor</translation>
         <translation>Lehrkraft</translation>
     </message>
     <message>
-        <source>Counts only with %1: choose it on the page Device.</source>
-        <translation>Zählt nur mit %1: wählen Sie es auf der Seite Gerät.</translation>
-    </message>
-    <message>
         <source>An examiner changed the points; the remarks in the report give the reasons.</source>
         <translation>Eine Lehrkraft hat die Punkte geändert; die Bemerkungen im Bericht nennen die Gründe.</translation>
     </message>
@@ -12302,10 +12330,6 @@ Ihr bester davor</translation>
         <translation>Dieses Benutzerkonto darf das Gerät nicht öffnen.</translation>
     </message>
     <message>
-        <source>%1 refused.</source>
-        <translation>%1 lehnte ab.</translation>
-    </message>
-    <message>
         <source>Another program holds the device.</source>
         <translation>Ein anderes Programm hält das Gerät.</translation>
     </message>
@@ -12887,10 +12911,6 @@ Ihr bester davor</translation>
     <message>
         <source>%1 refused. No attempt was started.</source>
         <translation>%1 lehnte ab. Kein Versuch wurde begonnen.</translation>
-    </message>
-    <message>
-        <source>Connected is: %1. No attempt was started.</source>
-        <translation>Verbunden ist: %1. Kein Versuch wurde begonnen.</translation>
     </message>
     <message>
         <source>%1 was not written. Earlier attempts are kept.</source>
@@ -13871,10 +13891,6 @@ Ihr bester davor</translation>
         <translation>Diese Zuweisung braucht ein anderes Gerät.</translation>
     </message>
     <message>
-        <source>Admitted: %1. In use: %2. Choose another one on the page Device.</source>
-        <translation>Zugelassen: %1. In Gebrauch: %2. Wählen Sie ein anderes auf der Seite Gerät.</translation>
-    </message>
-    <message>
         <source>Self-test of a device</source>
         <translation>Selbsttest eines Geräts</translation>
     </message>
@@ -13888,10 +13904,6 @@ Ihr bester davor</translation>
     <message>
         <source>Ask the staff for a self-test of the %1 on the page Device.</source>
         <translation>Bitten Sie das Personal um einen Selbsttest auf der Seite Gerät (%1).</translation>
-    </message>
-    <message>
-        <source>%1: there is no self-test. Choose another device on the page Device.</source>
-        <translation>%1: Es gibt keinen Selbsttest. Wählen Sie auf der Seite Gerät ein anderes Gerät.</translation>
     </message>
     <message>
         <source>A self-test is 1 to 365 days old.</source>
@@ -14305,6 +14317,30 @@ Ihr bester davor</translation>
             <numerusform>%n Person hat keinen bewerteten Versuch: %1.</numerusform>
             <numerusform>%n Studierende haben keinen bewerteten Versuch: %1.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 refused. The Device page shows the line that permits it.</source>
+        <translation>%1 lehnte ab. Die Seite Gerät zeigt die Zeile, die es erlaubt.</translation>
+    </message>
+    <message>
+        <source>Connected is: %1. No attempt was started. Staff choose the device on the page Device.</source>
+        <translation>Verbunden ist: %1. Kein Versuch wurde begonnen. Das Personal wählt das Gerät auf der Seite Gerät.</translation>
+    </message>
+    <message>
+        <source>The attempt ended as interrupted. What was recorded until then is kept: continue it, or have it graded as it stands. Before that, unplug %1 and plug it in again.</source>
+        <translation>Der Versuch endete als unterbrochen. Was bis dahin aufgezeichnet wurde, ist gesichert: Setzen Sie ihn fort, oder lassen Sie ihn bewerten, wie er ist. Ziehen Sie vorher das Gerät ab (%1) und stecken Sie es wieder ein.</translation>
+    </message>
+    <message>
+        <source>%1: there is no self-test. Ask the staff to choose another device on the page Device.</source>
+        <translation>%1: Es gibt keinen Selbsttest. Bitten Sie das Personal, auf der Seite Gerät ein anderes Gerät zu wählen.</translation>
+    </message>
+    <message>
+        <source>The start page shows when it opens.</source>
+        <translation>Die Startseite zeigt, wann sie öffnet.</translation>
+    </message>
+    <message>
+        <source>Admitted: %1. In use: %2. Ask the staff to choose another one on the page Device.</source>
+        <translation>Zugelassen: %1. In Gebrauch: %2. Bitten Sie das Personal, auf der Seite Gerät ein anderes zu wählen.</translation>
     </message>
 </context>
 <context>
