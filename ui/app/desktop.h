@@ -181,7 +181,9 @@ class Desktop : public QMainWindow {
   static std::filesystem::path volume_folder();
   QVector<NavEntry> entries();
   void add_school_entries(QVector<NavEntry>& list);
-  void open_result_page(const SessionId& session, Keep keep);
+  /// What follows where the grade of a finished attempt cannot be kept: the reason, or the report without it.
+  enum class NotKept : std::uint8_t { fails, opens };
+  void open_result_page(const SessionId& session, Keep keep, NotKept not_kept = NotKept::fails);
   void show_drilling(const Exercise& exercise, SessionPlan plan, const QString& aside);
   /// Removes a page that another one has covered. What lies below is not made anew, as back() does.
   void drop(QWidget* covered);

@@ -47,7 +47,7 @@ void Desktop::open_report(const SessionId& session) {
   const auto readable = store_->history.may_read_result(account_->actor(), session);
   if (readable) {
     const bool grades_it = !reading_only_ && store_->history.lacks_grade(account_->actor(), session).value_or(false);
-    return open_result_page(session, grades_it ? Keep::grade : Keep::nothing);
+    return grades_it ? open_result_page(session, Keep::grade, NotKept::opens) : open_result_page(session, Keep::nothing);
   }
   if (!is_withheld(readable.error())) return show_failure(describe(readable.error()));
   if (state && *state == SessionState::interrupted && !reading_only_) return shell_->show_page(u"start"_qs);
@@ -66,13 +66,15 @@ void Desktop::grade_interrupted(const SessionId& session) {
   });
 }
 
-void Desktop::open_result_page(const SessionId& session, Keep keep) {
+void Desktop::open_result_page(const SessionId& session, Keep keep, NotKept not_kept) {
   auto* busy = new Busy;
   QWidget* waiting = make_page(busy);
   push(waiting);
   busy->start(keep == Keep::grade ? tr("Measuring the tooth") : tr("Opening the report"), Busy::Cancel::none);
-  QThreadPool::globalInstance()->start([this, session, keep, reader = account_->actor(), waiting = QPointer<QWidget>(waiting), opener = open_, database = database_, options = beside()] {
-    auto opened = std::make_shared<Opened>(open_in_background(opener(database, options), session, reader, keep));
+  QThreadPool::globalInstance()->start([this, session, keep, not_kept, reader = account_->actor(), waiting = QPointer<QWidget>(waiting), opener = open_, database = database_, options = beside()] {
+    const OwnStore store = opener(database, options);
+    auto opened = std::make_shared<Opened>(open_in_background(store, session, reader, keep));
+    if (!opened->result && not_kept == NotKept::opens) *opened = open_in_background(store, session, reader, Keep::nothing);
     QMetaObject::invokeMethod(
         qApp,
         [this, opened, waiting] {

@@ -296,5 +296,23 @@ TEST_F(LeftAssessment, whose_end_could_not_be_written_is_continued_once_it_can_b
   EXPECT_NE(desktop->page()->findChild<InterruptedCard*>(), nullptr);
 }
 
+TEST_F(LeftAssessment, is_unlike_a_finished_practice_whose_report_opens_without_a_grade_while_none_can_be_written) {
+  auto database = Database::open(records.file());
+  ASSERT_TRUE(database);
+  desktop->drill(exercise);
+  ASSERT_TRUE(drills());
+  screen()->ask_leave();
+  ASSERT_TRUE(leaves());
+  const SessionId practice = records.store().history.list(lena.actor())->front().session;
+  end_without_grade(practice);
+  ASSERT_TRUE(refuse_rows(*database, "grades"));
+  desktop->open_report(practice);
+  ASSERT_TRUE(reports());
+  EXPECT_EQ(state_of(practice), SessionState::finished);
+  ASSERT_TRUE(take_rows(*database, "grades"));
+  desktop->open_report(practice);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return state_of(practice) == SessionState::graded; }, kDrillingMs));
+}
+
 }  // namespace
 }  // namespace cusp::test
