@@ -9331,7 +9331,7 @@
         <translation>Messung abbrechen</translation>
     </message>
     <message>
-        <source>Protected part damaged: not passed</source>
+        <source>Damaging a protected part fails the attempt</source>
         <translation>Geschütztes verletzt: nicht bestanden</translation>
     </message>
 </context>

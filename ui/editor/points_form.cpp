@@ -117,7 +117,7 @@ PointsForm::PointsForm(EditorModel& model, QWidget* parent) : QWidget(parent), m
   pulp_ = new QCheckBox(tr("Opening the pulp fails the attempt"));
   column->addWidget(pulp_);
   connect(pulp_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("pulp_exposure", EditorModel::listed(on)); });
-  damage_ = new QCheckBox(tr("Protected part damaged: not passed"));
+  damage_ = new QCheckBox(tr("Damaging a protected part fails the attempt"));
   column->addWidget(damage_);
   connect(damage_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("protected_damage", EditorModel::listed(on)); });
   dry_ = new QCheckBox(tr("Overheating the tooth fails the attempt"));

@@ -181,7 +181,7 @@ TEST(editor_model, the_rule_about_damage_is_switched_where_more_than_pulp_is_pro
   PointsForm form(model);
   QCheckBox* rule = nullptr;
   for (QCheckBox* box : form.findChildren<QCheckBox*>())
-    if (box->text() == QStringLiteral("Protected part damaged: not passed")) rule = box;
+    if (box->text() == QStringLiteral("Damaging a protected part fails the attempt")) rule = box;
   ASSERT_NE(rule, nullptr);
   EXPECT_TRUE(rule->isHidden());
   ASSERT_TRUE(stand_round(model, {"neighbours"}));
