@@ -58,14 +58,13 @@ std::string name_beside_the_draft(const std::filesystem::path& file) {
   return name.empty() ? "volume.nrrd" : name;
 }
 
-/// Usual figures, but those of the author where the tissue was there. The paper's block has the paper's, and a code from 16 on means
+/// Usual figures, but those of the author where the tissue was there. The paper's block has the paper's, and a code without a key means
 /// another tissue in a grown tooth than in a file.
 std::vector<ScenarioTissue> tissues_of_file(const std::vector<Tissue>& tissues, const Scenario& before) {
-  constexpr std::size_t kFirstOwn = 16;
   const bool from_file = before.specimen.generator.empty();
   std::vector<ScenarioTissue> out = usual_tissues(tissues);
   for (ScenarioTissue& t : out) {
-    const bool means_the_same = from_file || (before.specimen.grown_fdi() != 0 && index_of(t.tissue) < kFirstOwn);
+    const bool means_the_same = from_file || (before.specimen.grown_fdi() != 0 && index_of(t.tissue) < kTissueKeys.size());
     const auto kept = std::ranges::find(before.tissues, t.tissue, &ScenarioTissue::tissue);
     if (means_the_same && kept != before.tissues.end()) t = *kept;
   }
