@@ -84,6 +84,13 @@ struct LeftAssessment : ::testing::Test {
     QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     return records.store().history.list(lena.actor())->front().session;
   }
+  SessionId practise_and_leave() {
+    desktop->drill(exercise);
+    EXPECT_TRUE(drills());
+    screen()->ask_leave();  // nothing was cut: it asks nothing
+    EXPECT_TRUE(leaves());
+    return records.store().history.list(lena.actor())->front().session;
+  }
   SessionState state_of(const SessionId& session) { return *records.store().sessions.state(session); }
   /// As where the program is killed between the end of an attempt and its grade.
   void end_without_grade(const SessionId& session) {
@@ -169,11 +176,7 @@ TEST_F(LeftAssessment, keeps_its_exercise_from_practice_until_it_is_handed_in) {
 }
 
 TEST_F(LeftAssessment, is_graded_after_a_question_and_so_is_a_practice_that_was_left) {
-  desktop->drill(exercise);
-  ASSERT_TRUE(drills());
-  screen()->ask_leave();  // nothing was cut: it asks nothing
-  ASSERT_TRUE(leaves());
-  const SessionId practice = records.store().history.list(lena.actor())->front().session;
+  const SessionId practice = practise_and_leave();
   desktop->grade_interrupted(practice);
   ASSERT_EQ(asked.size(), 1u);
   EXPECT_EQ(asked[0].act, QStringLiteral("Grade"));
@@ -182,7 +185,7 @@ TEST_F(LeftAssessment, is_graded_after_a_question_and_so_is_a_practice_that_was_
   EXPECT_EQ(state_of(practice), SessionState::interrupted) << "it can be continued";
   desktop->grade_interrupted(practice);
   answer(true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return qobject_cast<ReportPage*>(desktop->page()) != nullptr; }, kDrillingMs));
+  ASSERT_TRUE(reports());
   EXPECT_EQ(state_of(practice), SessionState::graded);
 }
 
@@ -199,11 +202,7 @@ TEST_F(LeftAssessment, that_ended_without_its_grade_gets_it_where_its_examiner_o
 }
 
 TEST_F(LeftAssessment, and_a_practice_that_ended_without_its_grade_gets_it_where_its_student_opens_it) {
-  desktop->drill(exercise);
-  ASSERT_TRUE(drills());
-  screen()->ask_leave();
-  ASSERT_TRUE(leaves());
-  const SessionId practice = records.store().history.list(lena.actor())->front().session;
+  const SessionId practice = practise_and_leave();
   end_without_grade(practice);
   desktop->open_report(practice);
   ASSERT_TRUE(reports());
@@ -299,11 +298,7 @@ TEST_F(LeftAssessment, whose_end_could_not_be_written_is_continued_once_it_can_b
 TEST_F(LeftAssessment, is_unlike_a_finished_practice_whose_report_opens_without_a_grade_while_none_can_be_written) {
   auto database = Database::open(records.file());
   ASSERT_TRUE(database);
-  desktop->drill(exercise);
-  ASSERT_TRUE(drills());
-  screen()->ask_leave();
-  ASSERT_TRUE(leaves());
-  const SessionId practice = records.store().history.list(lena.actor())->front().session;
+  const SessionId practice = practise_and_leave();
   end_without_grade(practice);
   ASSERT_TRUE(refuse_rows(*database, "grades"));
   desktop->open_report(practice);

@@ -55,6 +55,18 @@ struct TypedNumber : EditorPages {
   }
 };
 
+SpecimenSource small_block() {
+  SpecimenSource out;
+  out.generator = "block";
+  out.voxel_mm = 0.4;
+  return out;
+}
+
+void press_choose_volume(const EditorPage& page) {
+  for (QPushButton* b : page.findChildren<QPushButton*>())
+    if (b->accessibleName() == QStringLiteral("Choose a volume…")) b->click();
+}
+
 TEST_F(TypedNumber, is_tried_out) {
   double tried_mm = 0;
   QObject::connect(page.get(), &EditorPage::try_out_wanted, page.get(), [&](const SessionPlan& plan) { tried_mm = depth_mm(plan.scenario); });
@@ -144,37 +156,25 @@ TEST_F(EditorPages, a_page_that_could_not_publish_before_it_left_stays_after_the
 
 TEST_F(EditorPages, a_volume_is_taken_whatever_its_file_is_called) {
   const auto page = open();
-  SpecimenSource block;
-  block.generator = "block";
-  block.voxel_mm = 0.4;
-  const auto volume = make_specimen(block, {});
+  const auto volume = make_specimen(small_block(), {});
   ASSERT_TRUE(volume.has_value());
   file = folder.filePath(QStringLiteral(".Zähne 12:30.nrrd"));
   ASSERT_TRUE(write_nrrd(*volume, file.toStdString()));
-  for (QPushButton* b : page->findChildren<QPushButton*>()) {
-    if (b->accessibleName() == QStringLiteral("Choose a volume…")) b->click();
-  }
+  press_choose_volume(*page);
   EXPECT_EQ(page->model().scenario().specimen.volume, "Zähne 12_30.nrrd");
 }
 
 TEST_F(EditorPages, a_corrected_volume_keeps_the_figures_that_the_author_set_for_its_tissues) {
   const auto page = open();
-  SpecimenSource block;
-  block.generator = "block";
-  block.voxel_mm = 0.4;
-  const auto volume = make_specimen(block, {});
+  const auto volume = make_specimen(small_block(), {});
   ASSERT_TRUE(volume.has_value());
   file = folder.filePath(QStringLiteral("block.nrrd"));
   ASSERT_TRUE(write_nrrd(*volume, file.toStdString()));
-  const auto choose = [&] {
-    for (QPushButton* b : page->findChildren<QPushButton*>())
-      if (b->accessibleName() == QStringLiteral("Choose a volume…")) b->click();
-  };
-  choose();
+  press_choose_volume(*page);
   const auto& tissues = page->model().scenario().tissues;
   ASSERT_EQ(tissues.size(), 1u);
   ASSERT_TRUE(page->model().set_tissue_figures(0, 1.25, 4.5));
-  choose();
+  press_choose_volume(*page);
   EXPECT_EQ(page->model().scenario().specimen.volume, "block-2.nrrd");
   ASSERT_EQ(tissues.size(), 1u);
   EXPECT_EQ(tissues[0].stiffness_n_per_mm, 1.25);
@@ -184,17 +184,12 @@ TEST_F(EditorPages, a_corrected_volume_keeps_the_figures_that_the_author_set_for
 TEST_F(EditorPages, a_volume_of_a_fineness_that_no_exercise_holds_is_refused_with_its_figure) {
   const auto page = open();
   const Scenario before = page->model().scenario();
-  SpecimenSource block;
-  block.generator = "block";
-  block.voxel_mm = 0.4;
-  auto volume = make_specimen(block, {});
+  auto volume = make_specimen(small_block(), {});
   ASSERT_TRUE(volume.has_value());
   volume->grid.voxel_mm = 0.03;
   file = folder.filePath(QStringLiteral("micro.nrrd"));
   ASSERT_TRUE(write_nrrd(*volume, file.toStdString()));
-  for (QPushButton* b : page->findChildren<QPushButton*>()) {
-    if (b->accessibleName() == QStringLiteral("Choose a volume…")) b->click();
-  }
+  press_choose_volume(*page);
   EXPECT_EQ(page->model().scenario(), before);
   QString text;
   for (const Band* band : page->findChildren<Band*>()) text += band->text();
@@ -218,9 +213,7 @@ TEST_F(EditorPages, a_volume_of_the_finest_voxels_is_taken_as_a_file_holds_them_
   }
   file = folder.filePath(QStringLiteral("micro.nrrd"));
   ASSERT_TRUE(write_nrrd(volume, file.toStdString()));
-  for (QPushButton* b : page->findChildren<QPushButton*>()) {
-    if (b->accessibleName() == QStringLiteral("Choose a volume…")) b->click();
-  }
+  press_choose_volume(*page);
   EXPECT_EQ(page->model().scenario().specimen.volume, "micro.nrrd");
   EXPECT_EQ(page->model().scenario().specimen.voxel_mm, 0.04);
   EXPECT_TRUE(page->model().set_title("en", QStringLiteral("Scanned tooth")));
