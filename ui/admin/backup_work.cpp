@@ -11,7 +11,7 @@
 namespace cusp::ui {
 namespace {
 
-/// Of this station in the folder. One that a wrong clock dated in the future says nothing of today.
+/// Of this station in the folder. One that a wrong clock dated in the future does not count.
 std::optional<Backup> newest_daily(const std::filesystem::path& into, const Uuid& station, std::int64_t now_utc_us) {
   auto all = backups_in(into, station);
   if (!all) return std::nullopt;

@@ -1,4 +1,4 @@
-// What a briefing says of the depth that its exercise asks for, and where the keyboard begins.
+// How a briefing names the depth that its exercise asks for, and where the keyboard begins.
 
 #include <gtest/gtest.h>
 
