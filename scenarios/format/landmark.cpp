@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scenarios/teeth/landmarks.h"
+
 namespace cusp::scenarios {
 
 namespace {
@@ -41,9 +43,9 @@ PointCount point_count(MarkKind kind) noexcept {
 
 std::optional<double> turn_deg(const SpecimenLandmarks& landmarks) noexcept {
   const auto way = way_of(landmarks.find(MarkKind::mesial_axis));
-  if (landmarks.fdi == 0 || !way || (way->x == 0.0 && way->y == 0.0)) return std::nullopt;
-  const double mesial_x = landmarks.fdi / 10 % 2 == 1 ? 1.0 : -1.0;
-  return std::atan2(mesial_x * way->y, mesial_x * way->x) * kDegrees;
+  const int mesial = mesial_x(landmarks.fdi);
+  if (mesial == 0 || !way || (way->x == 0.0 && way->y == 0.0)) return std::nullopt;
+  return std::atan2(mesial * way->y, mesial * way->x) * kDegrees;
 }
 
 std::optional<double> tilt_deg(const SpecimenLandmarks& landmarks) noexcept {

@@ -7,6 +7,7 @@
 #include "scenarios/format/keys.h"
 #include "scenarios/format/landmark.h"
 #include "scenarios/format/ranges.h"
+#include "scenarios/teeth/landmarks.h"
 
 namespace cusp::scenarios {
 namespace {
@@ -180,11 +181,9 @@ void RegionChecks::within(const Outline& t, const SpecimenFacts& f, const std::s
 
 /// 1 where mesial lies along x in the specimen's frame, -1 where distal does, 0 where nobody knows.
 int mesial_way(const SpecimenSource& specimen) {
-  const int fdi = specimen.generator.empty() ? specimen.landmarks.fdi : specimen.grown_fdi();
-  if (fdi == 0) return 0;
-  const double turn = specimen.generator.empty() ? turn_deg(specimen.landmarks).value_or(180.0) : 0.0;
-  if (std::abs(turn) > kMostTurnedDeg) return 0;
-  return fdi / 10 % 2 == 1 ? 1 : -1;
+  if (!specimen.generator.empty()) return mesial_x(specimen.grown_fdi());
+  const bool turned = std::abs(turn_deg(specimen.landmarks).value_or(180.0)) > kMostTurnedDeg;
+  return turned ? 0 : mesial_x(specimen.landmarks.fdi);
 }
 
 bool names_a_side(const Region& region) {

@@ -89,7 +89,7 @@ TEST(LandmarkFormat, KnowsHowFarAToothIsTurned) {
   EXPECT_NEAR(*turn_deg(with_mesial(36, {0, 1, 0})), 90.0, 1e-12);
   EXPECT_NEAR(*turn_deg(with_mesial(46, {0, 1, 0})), -90.0, 1e-12);
   EXPECT_NEAR(std::fabs(*turn_deg(with_mesial(11, {-1, 0, 0}))), 180.0, 1e-12);
-  EXPECT_FALSE(turn_deg(with_mesial(0, {1, 0, 0})));
+  for (const int none : {0, 6, 51}) EXPECT_FALSE(turn_deg(with_mesial(none, {1, 0, 0}))) << none;
   EXPECT_FALSE(turn_deg(with_mesial(36, {0, 0, 0})));
   EXPECT_FALSE(turn_deg(with_mesial(36, {0, 0, 1})));
   EXPECT_FALSE(turn_deg({.fdi = 36, .marks = {}}));
