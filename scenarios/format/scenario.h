@@ -42,6 +42,12 @@ struct SpecimenSource {
   SpecimenLandmarks landmarks;      // of a tooth from a file
   /// FDI number of a tooth of Cusp's own; 0 of any other specimen.
   int grown_fdi() const noexcept { return generator == "tooth" ? fdi : 0; }
+  /// Whether the tooth and its neighbours are of one plastic: nobody knows where it ends between them.
+  bool is_one_with_neighbours() const noexcept {
+    for (const std::string& key : around)
+      if (key == "neighbours" || key == "jaw") return typodont;
+    return false;
+  }
   friend bool operator==(const SpecimenSource&, const SpecimenSource&) = default;
 };
 

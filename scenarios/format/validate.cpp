@@ -229,11 +229,8 @@ class Checks {
     return 0.5 * (x - none) / (acc - none);
   }
 
-  /// A tooth of plastic and its neighbours are one tissue: where it ends between them nobody knows.
   void ridges() {
-    const auto& around = s_.specimen.around;
-    const bool beside = std::ranges::any_of(around, [](const std::string& key) { return key == "neighbours" || key == "jaw"; });
-    if (!s_.specimen.typodont || !beside) return;
+    if (!s_.specimen.is_one_with_neighbours()) return;
     for (std::size_t i = 0; i < s_.rubric.criteria.size(); ++i)
       if (const std::string& metric = s_.rubric.criteria[i].metric; metric.starts_with("ridge_"))
         error(at("/rubric/criteria", i, "/metric"), "ridge_of_plastic", {}, metric);

@@ -45,7 +45,7 @@ struct Grade {
   bool passed = false;
   std::vector<std::string> critical;      // critical events that happened
   std::vector<CriterionGrade> criteria;   // in the rubric's order
-  std::string evaluator = "13";           // version of measuring and marking; rises when a figure changes.
+  std::string evaluator = "14";           // version of measuring and marking; rises when a figure changes.
                                           // 2: what is kept intact counts in proportion to what was drilled
                                           // 3: points are of 100, evidence lies on the cut surface
                                           // 4: so does every depth, width, form and push; walls of a tree by face name
@@ -62,6 +62,7 @@ struct Grade {
                                           // walls pass midway between voxels is known as well as any other; a hole is a depth
                                           // 13: of a tree too, and a box that is cut through has its height; a ridge counts from the
                                           // foot of its wall; nothing is left over the pulp of a tooth that is gone whole
+                                          // 14: no ridge between plastic neighbours, of which it measured the far side
 };
 
 /// In points. Rounding moves a sum of criteria by less than 1e-12; people read tenths of a point. Test:

@@ -40,7 +40,7 @@ TissueSet only(Tissue tissue) noexcept {
 Reference::Reference(const Scenario& scenario, std::shared_ptr<const Specimen> specimen)
     : specimen_(std::move(specimen)), shape_(scenario.target, specimen_), targets_(scenario, specimen_), leeway_(scenario.leeway), pulp_(specimen_, only(Tissue::pulp)),
       fdi_(scenario.specimen.grown_fdi()), seed_(scenario.specimen.seed),
-      marked_(scenario.specimen.landmarks), heat_(has_phenomenon(scenario.phenomena, "heat")),
+      marked_(scenario.specimen.landmarks), heat_(has_phenomenon(scenario.phenomena, "heat")), one_with_neighbours_(scenario.specimen.is_one_with_neighbours()),
       mesial_x_(fdi_ != 0 ? scenarios::mesial_x(fdi_) : mesial_x_of(marked_)) {
   for (const Criterion& c : scenario.rubric.criteria)
     if (split_metric(c.metric).target.empty()) asked_.push_back(c.metric);

@@ -49,6 +49,8 @@ class Reference {
   int mesial_x() const noexcept { return mesial_x_; }
   /// Of the tooth generator: a neighbour has codes of its own, and the tooth stands about the frame's origin.
   bool is_grown() const noexcept { return fdi_ != 0; }
+  /// SpecimenSource::is_one_with_neighbours().
+  bool is_one_with_neighbours() const noexcept { return one_with_neighbours_; }
   const std::vector<Tissue>& tissues() const noexcept { return tissues_; }  // of the scenario, in its order
   /// Tissue within the target before anything was cut, mm³.
   double target_mm3() const noexcept { return target_mm3_; }
@@ -99,7 +101,7 @@ class Reference {
   int fdi_ = 0;  // 0: no grown tooth
   std::uint64_t seed_ = 0;
   SpecimenLandmarks marked_;  // of a tooth from a file
-  bool heat_ = false;
+  bool heat_ = false, one_with_neighbours_ = false;
   int mesial_x_ = 0;
 };
 

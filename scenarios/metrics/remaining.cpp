@@ -152,6 +152,7 @@ std::vector<Wall> far_walls(const Reference& reference, const Volume& volume, in
 
 std::optional<RidgeThickness> ridge_thickness(const CutFaces& faces, const Reference& reference, const Volume& volume,
                                               FaceName wall) {
+  if (reference.is_one_with_neighbours()) return std::nullopt;
   if (reference.mesial_x() == 0 || reference.shape().empty() || volume.cut_bricks().empty() || volume.specimen().reading() == Reading::filled)
     return std::nullopt;
   const int direction = wall == FaceName::mesial_wall ? reference.mesial_x() : -reference.mesial_x();

@@ -3,7 +3,8 @@
 /// ridge_mesial, ridge_distal (mm): least mesiodistal distance from the wall to the tooth's greatest proximal contour at
 /// the same buccolingual place, as a calliper held across the marginal ridge measures it. A wall that converges occlusally is
 /// outermost at its foot. A scratch on the ridge is no wall. A ridge that is cut through has 0.
-/// Needs: a tooth whose sides are known, a banded volume, a cut towards that side, a target that leaves that ridge.
+/// Needs: a tooth whose sides are known and whose neighbours are of other tissues, a banded volume, a cut towards that side, a
+/// target that leaves that ridge.
 #pragma once
 
 #include <optional>

@@ -331,7 +331,7 @@ TEST(Changes, NameBothEvaluatorsAndEachCriterionThatDiffers) {
   const GradeChanges c = changes(before, now);
   EXPECT_FALSE(c.none());
   EXPECT_EQ(c.evaluator_before, "3");
-  EXPECT_EQ(c.evaluator_after, "13");
+  EXPECT_EQ(c.evaluator_after, "14");
   EXPECT_EQ(c.score_after - c.score_before, 2.0);
   EXPECT_TRUE(!c.passed_before && c.passed_after);
   ASSERT_EQ(c.criteria.size(), 3u);

@@ -182,6 +182,25 @@ TEST(Form, ARidgeIsOfTheToothsOwnTissuesWhateverTheirCodes) {
   for (const Tissue neighbours : {kNeighbourEnamel, kNeighbourDentine}) EXPECT_NEAR(ridge(neighbours).value, 1.8, 0.06);
 }
 
+TEST(Form, NoRidgeIsMeasuredWhereToothAndNeighboursAreOfOnePlastic) {
+  Grid grid;
+  grid.size = IVec3(80, 60, 44);
+  grid.origin_mm = kBlockCentre - kBlockHalf - 0.5;
+  const auto specimen = carved::specimen(grid, Reading::banded, block_of_tooth, [](Vec3) { return Tissue::plastic; });
+  Volume volume(specimen);
+  carved::carve(volume, [](Vec3 at) { return Preparation{.half_x = 1.2}.distance(at); });
+  Scenario s = exercise_on_36();
+  s.specimen.typodont = true;
+  for (const auto& [around, measured] : {std::pair{"gingiva", true}, {"neighbours", false}, {"jaw", false}}) {
+    s.specimen.around = {around};
+    std::vector<Measure> measures;
+    const Reference reference(s, specimen);
+    add_form(CutFaces(reference, volume, floor_depth(reference, volume)), margin_points(volume), reference, volume, measures);
+    for (const char* metric : {"ridge_mesial", "ridge_distal"})
+      EXPECT_EQ(std::ranges::find(measures, metric, &Measure::metric)->measured, measured) << metric << ", " << around;
+  }
+}
+
 TEST(Angle, IsTheArcTangent) {
   // The largest difference seen is 3e-14 degrees.
   for (double deg = -90.0; deg <= 90.0; deg += 0.37)
