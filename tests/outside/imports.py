@@ -3,6 +3,7 @@ And how verbs name a tissue that an author named.
 
   imports.py CUSP
 """
+import gzip
 import os
 import struct
 import sys
@@ -105,8 +106,32 @@ def own_tissue(desk):
     check(status == 1 and "(pulp stone)" in out and "(Plastic)" in out, f"a named tissue that is not described: exit {status}: {out}")
 
 
+def removed_own_tissue(desk):
+    """What an attempt removed of it stands by that name too."""
+    block, database = desk.path("block.nrrd"), desk.path("stone.db")
+    check(desk.run("specimen", "block", "--voxel-mm", "0.25", "-o", block)[0] == 0, "a block is made")
+    with open(block, "rb") as f:
+        header, packed = f.read().split(b"\n\n", 1)
+    voxels = bytearray(gzip.decompress(packed))
+    voxels[0::4] = voxels[0::4].replace(b"\x0b", b"\x10")  # the low byte of each voxel's tissue: 11, plastic, becomes 16
+    with open(block, "wb") as f:
+        f.write(header.replace(b"tissue 11:=plastic", b"tissue 16:=pulp stone") + b"\n\n" + gzip.compress(bytes(voxels), 1))
+
+    def of_stone(scenario):
+        scenario["specimen"] = {"volume": "block.nrrd", "voxel_mm": 0.25}
+        scenario["tissues"][0]["tissue"] = "16"
+
+    status, _, err = desk.run("play", desk.small_exercise("of-stone.json", of_stone), "--script", desk.small_script(2), "--db", database,
+                              "--out", desk.path("stone"))
+    check(status == 0, f"a block of stone is drilled: exit {status}: {err}")
+    (row,) = desk.json("history", database, "list")
+    status, out, err = desk.run("history", database, "show", row["session"])
+    check(status == 0 and "  pulp stone: " in out and "Material 1: " not in out, f"what was removed: exit {status}: {out}{err}")
+
+
 with Desk(sys.argv[1]) as the_desk:
     options_in_vain(the_desk)
     passed_over(the_desk, *one_part(the_desk))
     names(the_desk, *one_part(the_desk))
     own_tissue(the_desk)
+    removed_own_tissue(the_desk)

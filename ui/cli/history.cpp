@@ -1,5 +1,6 @@
 // cusp history DB list|show|verify|rebuild
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "scenarios/grading/maxima.h"
@@ -13,6 +14,7 @@
 #include "ui/cli/row_json.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/text.h"
+#include "ui/session/specimen_blob.h"
 #include "ui/text/names.h"
 #include "ui/modules.h"
 #include "ui/widgets/format.h"
@@ -96,13 +98,23 @@ nlohmann::ordered_json details_json(const SessionDetails& details) {
   return json;
 }
 
-void print_details(const SessionDetails& details) {
+/// The names that the volume gives its own tissues; empty where none of them was removed.
+/// Tenths of a second where there is any.
+TissueNames names_of(Store& store, const SessionDetails& details) {
+  const auto is_own = [](const RemovedTissue& r) { return index_of(r.tissue) >= kTissueKeys.size(); };
+  if (std::ranges::none_of(details.removed, is_own)) return {};
+  const auto bytes = store.blobs.get(details.session.header.specimen_blob);
+  const auto volume = bytes ? specimen_from_bytes(*bytes) : std::nullopt;
+  return volume ? volume->names : TissueNames{};
+}
+
+void print_details(const SessionDetails& details, const TissueNames& names) {
   print_line(row_line(details.row));
   for (const SessionEvent& e : details.events) {
     print_line("  " + iso_utc(e.at_utc_us) + "  " + std::string(key_of(e.kind)) + (e.reason.empty() ? "" : "  " + plain(QString::fromStdString(e.reason))));
   }
   for (const RemovedTissue& r : details.removed) {
-    print_line(plain(QStringLiteral("  %1: %2 mm³").arg(tissue_name(r.tissue), format_number(r.mm3, 2))));
+    print_line(plain(QStringLiteral("  %1: %2 mm³").arg(tissue_name(r.tissue, names), format_number(r.mm3, 2))));
   }
   if (details.grade) print_criteria(details.grade->grade, "  ");
 }
@@ -118,7 +130,7 @@ int show(const HistoryOptions& o) {
   const auto details = (*store)->history.details(account->actor(), *id);
   if (!details) return failed(describe(details.error()));
   if (!o.json.write(details_json(*details))) return kFailed;
-  if (!o.json.on_stdout()) print_details(*details);
+  if (!o.json.on_stdout()) print_details(*details, names_of(**store, *details));
   return kDone;
 }
 
