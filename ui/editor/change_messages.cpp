@@ -11,7 +11,6 @@
 #include "ui/modules.h"
 #include "ui/text/language.h"
 #include "ui/text/grade_text.h"
-#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 
 namespace cusp::ui {
@@ -76,13 +75,13 @@ constexpr Named kNames[] = {
 };
 
 /// The item of a list, by the name that people read.
-QString part_name(const Change& c, const Region* whole) {
+QString part_name(const Change& c, const Region* whole, const TissueNames& own) {
   const QString key = QString::fromStdString(c.part);
   if (c.path.starts_with("/rubric/criteria")) return metric_name(c.part, whole);
   if (c.path.starts_with("/rubric/critical")) return critical_name(c.part);
   if (c.path.starts_with("/tissues")) {
     const auto tissue = scenario_tissue_from_key(c.part);
-    return tissue ? tissue_name(*tissue) : key;
+    return tissue ? tissue_name(*tissue, own) : key;
   }
   if (c.path.starts_with("/title") || c.path.starts_with("/briefing")) {
     return language_name(key);
@@ -90,11 +89,11 @@ QString part_name(const Change& c, const Region* whole) {
   return key;
 }
 
-QString place_name(const Change& c, const Region* whole) {
+QString place_name(const Change& c, const Region* whole, const TissueNames& own) {
   const auto* at = std::ranges::find_if(kNames, [&](const Named& n) { return c.path.starts_with(n.path); });
   if (at == std::end(kNames)) return isolate(QString::fromStdString(c.path));
   const QString name = ChangeText::tr(at->name);
-  return name.contains(u"%1") ? name.arg(isolate(part_name(c, whole))) : name;
+  return name.contains(u"%1") ? name.arg(isolate(part_name(c, whole, own))) : name;
 }
 
 /// With the unit that the table of ranges gives the place. Zero where it means none.
@@ -133,8 +132,8 @@ bool moved_with_floor_alone(const Region& before, const Region& after) {
 
 }  // namespace
 
-QString change_message(const Change& c, const Region* whole) {
-  const QString name = place_name(c, whole);
+QString change_message(const Change& c, const Region* whole, const TissueNames& own) {
+  const QString name = place_name(c, whole, own);
   if (c.before && c.after) {
     //: %1: what changed ("Depth"), %2: its value now, %3: its value before
     return ChangeText::tr("%1: %2, was %3").arg(name, value_text(c, *c.after), value_text(c, *c.before));
@@ -148,13 +147,13 @@ QString change_message(const Change& c, const Region* whole) {
   return name;
 }
 
-QStringList change_messages(const Scenario& before, const Scenario& after) {
+QStringList change_messages(const Scenario& before, const Scenario& after, const TissueNames& own) {
   QStringList out;
   for (const Change& change : compare(before, after)) {
     if (change.path == "/target/paths" && moved_with_floor_alone(before.target, after.target)) continue;
     const QString bands = change.path == "/rubric/criteria/*/bands" ? bands_message(change.part, before, after) : QString();
-    const Scenario& has_it = change.kind == ChangeKind::removed ? before : after;
-    out << (bands.isEmpty() ? change_message(change, &has_it.target) : bands);
+    const bool gone = change.kind == ChangeKind::removed;
+    out << (bands.isEmpty() ? change_message(change, gone ? &before.target : &after.target, gone ? TissueNames{} : own) : bands);
   }
   out.removeDuplicates();
   return out;

@@ -8,7 +8,6 @@
 #include "ui/text/failure_text.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/language.h"
-#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 
 namespace cusp::ui {
@@ -20,10 +19,16 @@ struct CheckText {
 
 QString mm(double value) { return format({value, {}, QStringLiteral("mm"), 2}); }
 
-QString tissue_of(const Finding& f) {
+/// What names a finding's parts besides the finding.
+struct OwnNames {
+  const Region* whole;
+  const TissueNames& tissues;
+};
+
+QString tissue_of(const Finding& f, const OwnNames& own) {
   if (f.detail == "region") return CheckText::tr("a region");
   const auto tissue = scenario_tissue_from_key(f.detail);
-  return tissue ? tissue_name(*tissue) : QString::fromStdString(f.detail);
+  return tissue ? tissue_name(*tissue, own.tissues) : QString::fromStdString(f.detail);
 }
 
 QString language_of(const Finding& f) {
@@ -66,7 +71,7 @@ QString range_message(const Finding& f, double value, double least, double most)
 }
 
 /// Message of a finding of scenarios/checks; empty for any other.
-QString exercise_message(const Finding& f, const Region* whole, double value, double limit) {
+QString exercise_message(const Finding& f, const OwnNames& own, double value, double limit) {
   const QString& c = QString::fromStdString(f.code);
   const bool title = f.path.starts_with("/title");
   if (c == u"target_holds_pulp") {
@@ -74,10 +79,10 @@ QString exercise_message(const Finding& f, const Region* whole, double value, do
         .arg(format({value, {}, QStringLiteral("mm3"), 1}));
   }
   if (c == u"pulp_rule_off") return CheckText::tr("Opening the pulp does not fail the attempt. Switch that on unless it is meant so.");
-  if (c == u"target_cuts_protected") return CheckText::tr("The target takes %1, which is protected.").arg(tissue_of(f));
-  if (c == u"leeway_cuts_protected") return CheckText::tr("The tolerance zone reaches %1, which is protected.").arg(tissue_of(f));
+  if (c == u"target_cuts_protected") return CheckText::tr("The target takes %1, which is protected.").arg(tissue_of(f, own));
+  if (c == u"leeway_cuts_protected") return CheckText::tr("The tolerance zone reaches %1, which is protected.").arg(tissue_of(f, own));
   if (c == u"target_without_tissue") return CheckText::tr("The target holds nothing that could be cut.");
-  if (c == u"target_uncuttable") return CheckText::tr("The target holds %1, which cannot be cut.").arg(tissue_of(f));
+  if (c == u"target_uncuttable") return CheckText::tr("The target holds %1, which cannot be cut.").arg(tissue_of(f, own));
   if (c == u"idle_earns") {
     return CheckText::tr("An attempt that cuts nothing gets %1 points. Grade how much of the target is removed.").arg(format_points(value));
   }
@@ -91,10 +96,10 @@ QString exercise_message(const Finding& f, const Region* whole, double value, do
   }
   if (c == u"criterion_unmeasured") {
     return CheckText::tr("%1 cannot be measured on this tooth with this target, so nobody would be graded by it. Remove it, or change tooth or target.")
-        .arg(metric_name(f.detail, whole));
+        .arg(metric_name(f.detail, own.whole));
   }
   if (c == u"weight_vanishes") {
-    return CheckText::tr("%1 brings less than a twentieth of a point. Give it more, or remove it.").arg(metric_name(f.detail, whole));
+    return CheckText::tr("%1 brings less than a twentieth of a point. Give it more, or remove it.").arg(metric_name(f.detail, own.whole));
   }
   if (c == u"text_of_template") {
     return title ? CheckText::tr("The title in %1 is still that of the exercise it was copied from.").arg(language_of(f))
@@ -116,18 +121,18 @@ double arg_of(const Finding& f, const char* key) {
 }
 
 /// Message of a finding about the target; empty for any other.
-QString target_message(const Finding& f, const Region* whole, double value, double limit) {
+QString target_message(const Finding& f, const OwnNames& own, double value, double limit) {
   const QString c = QString::fromStdString(f.code);
   if (c == u"no_target" || c == u"empty_target") return CheckText::tr("There is no target to cut.");
   if (c == u"no_direction") return CheckText::tr("A shape of the target has no direction: an axis has no length, or two are parallel.");
-  if (c == u"target_tissue_missing") return CheckText::tr("The target is made of %1, which this tooth does not have.").arg(tissue_of(f));
+  if (c == u"target_tissue_missing") return CheckText::tr("The target is made of %1, which this tooth does not have.").arg(tissue_of(f, own));
   if (c == u"lesion_missing") return CheckText::tr("The target follows a carious lesion, and this tooth has none.");
   if (c == u"target_endless") return CheckText::tr("The target has no end on a side. Cut it with a shape that has one.");
   if (c == u"nothing_protected") return CheckText::tr("Damage of a protected part fails the attempt, and nothing is protected.");
   if (c == u"path_count" || c == u"point_count") return CheckText::tr("The target’s points do not fit its shape.");
-  if (c == u"protected_missing") return CheckText::tr("%1 is protected, but this tooth has none.").arg(tissue_of(f));
+  if (c == u"protected_missing") return CheckText::tr("%1 is protected, but this tooth has none.").arg(tissue_of(f, own));
   if (c == u"protected_twice") {
-    return CheckText::tr("%1 is protected twice: what is removed of it counts twice. Take one of the two out of the file.").arg(tissue_of(f));
+    return CheckText::tr("%1 is protected twice: what is removed of it counts twice. Take one of the two out of the file.").arg(tissue_of(f, own));
   }
   if (c == u"target_outside") {
     return CheckText::tr("The target reaches out of the tooth: to %1, where the tooth ends at %2.").arg(mm(value), mm(limit));
@@ -150,7 +155,7 @@ QString target_message(const Finding& f, const Region* whole, double value, doub
   if (c == u"point_off_floor") return CheckText::tr("A point of the target does not lie on its floor.");
   if (c == u"target_scores_less") {
     return CheckText::tr("An attempt that meets the target exactly loses %1 points for %2.")
-        .arg(format_points(arg_of(f, "lost")), metric_name(f.detail, whole));
+        .arg(format_points(arg_of(f, "lost")), metric_name(f.detail, own.whole));
   }
   if (c == u"target_opens_pulp") {
     return f.detail == "horn"
@@ -164,7 +169,7 @@ QString target_message(const Finding& f, const Region* whole, double value, doub
 }
 
 /// Message of a finding about burs and handpieces; empty for any other.
-QString tool_message(const Finding& f, const Region* whole, double value, double limit) {
+QString tool_message(const Finding& f, const OwnNames& own, double value, double limit) {
   const QString c = QString::fromStdString(f.code);
   const QString name = QString::fromStdString(f.detail);
   if (c == u"no_instrument") return CheckText::tr("There is no bur to work with. Add one.");
@@ -192,19 +197,20 @@ QString tool_message(const Finding& f, const Region* whole, double value, double
                                : CheckText::tr("Vibration needs a handpiece.");
   }
   if (c == u"heat_missing") {
-    return CheckText::tr("%1 is graded, but this exercise does not reckon coolant and heat.").arg(metric_name(f.detail, whole));
+    return CheckText::tr("%1 is graded, but this exercise does not reckon coolant and heat.").arg(metric_name(f.detail, own.whole));
   }
   return {};
 }
 
 }  // namespace
 
-QString check_message(const Finding& f, const Region* whole) {
+QString check_message(const Finding& f, const Region* whole, const TissueNames& tissues) {
+  const OwnNames own{whole, tissues};
   const QString c = QString::fromStdString(f.code);
   const double value = arg_of(f, "value"), limit = arg_of(f, "limit");
   if (c == u"out_of_range" && f.args.contains("least")) return range_message(f, value, arg_of(f, "least"), arg_of(f, "most"));
   for (const auto message : {exercise_message, target_message, tool_message})
-    if (const QString found = message(f, whole, value, limit); !found.isEmpty()) return found;
+    if (const QString found = message(f, own, value, limit); !found.isEmpty()) return found;
   if (c == u"critical_twice") {
     return CheckText::tr("%1 stands twice among what fails the attempt. Switch it off and on again.").arg(metric_name(f.detail, whole));
   }
@@ -222,8 +228,8 @@ QString check_message(const Finding& f, const Region* whole) {
     return CheckText::tr("The pass mark %1 is out of reach: at most %2 points can be had.")
         .arg(format_points(value), format_points(limit));
   }
-  if (c == u"tissue_missing") return CheckText::tr("The tooth holds %1, which this exercise does not describe.").arg(tissue_of(f));
-  if (c == u"tissue_unused") return CheckText::tr("%1 is described, but this tooth has none.").arg(tissue_of(f));
+  if (c == u"tissue_missing") return CheckText::tr("The tooth holds %1, which this exercise does not describe.").arg(tissue_of(f, own));
+  if (c == u"tissue_unused") return CheckText::tr("%1 is described, but this tooth has none.").arg(tissue_of(f, own));
   if (c == u"voxel_mismatch") {
     return CheckText::tr("The file’s fineness is %2, not %1 as stated.").arg(mm(value), mm(limit));
   }

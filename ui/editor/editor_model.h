@@ -4,9 +4,12 @@
 
 #include <QObject>
 #include <QUndoStack>
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/volume/specimen.h"
@@ -138,6 +141,8 @@ class EditorModel : public QObject {
   const std::optional<SpecimenFacts>& facts() const { return facts_; }
   /// Of the facts; null until it is grown.
   const std::shared_ptr<const Specimen>& specimen() const { return specimen_; }
+  /// The author's own names of its tissues, by code (ui/text/names.h); empty until it is grown.
+  const std::map<std::uint8_t, std::string>& tissue_names() const;
 
   /// Errors first. From validate(), check_regions() and check_texts(). Without facts the checks that need the specimen do not run;
   /// with the pulp's voxels alone only the rule about opening it is checked.

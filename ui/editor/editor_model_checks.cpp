@@ -25,6 +25,11 @@ void EditorModel::set_facts(std::optional<SpecimenFacts> facts, std::vector<Vec3
   if (!allow_access()) Q_EMIT changed();
 }
 
+const std::map<std::uint8_t, std::string>& EditorModel::tissue_names() const {
+  static const std::map<std::uint8_t, std::string> none;
+  return specimen_ ? specimen_->names() : none;
+}
+
 bool EditorModel::allow_access() {
   if (!specimen_ || stack_.index() == 0 || stack_.index() != stack_.count()) return false;
   const auto* last = dynamic_cast<const ScenarioEdit*>(stack_.command(stack_.count() - 1));

@@ -219,7 +219,8 @@ void EditorPage::follow_model() {
   line(u"target"_qs, target_name(s.target));
   for (const ScenarioTissue& t : s.tissues) {
     const bool guarded = is_protected(s, t.tissue);
-    line(guarded ? u"shield"_qs : u"layers"_qs, guarded ? tr("%1, protected").arg(tissue_name(t.tissue)) : tissue_name(t.tissue));
+    const QString name = tissue_name(t.tissue, model_->tissue_names());
+    line(guarded ? u"shield"_qs : u"layers"_qs, guarded ? tr("%1, protected").arg(name) : name);
   }
 
   const auto& findings = model_->findings();
@@ -234,7 +235,7 @@ void EditorPage::follow_model() {
                                                                          : tr("ready to publish"));
   checks_chip_->set(failing ? tr("Check fails") : tr("Checks passed"), failing ? Chip::Kind::bad : Chip::Kind::good);
   checks_chip_->setHidden(check_aside_->isHidden());  // set() shows it in a narrow window too
-  check_->setText(wrong > 0 ? check_message(findings.front(), &model_->scenario().target) : QString());
+  check_->setText(wrong > 0 ? check_message(findings.front(), &s.target, model_->tissue_names()) : QString());
   show_->setVisible(wrong > 0);
 }
 

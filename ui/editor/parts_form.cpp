@@ -16,7 +16,6 @@
 #include "ui/editor/shape_form.h"
 #include "ui/editor/target_name_form.h"
 #include "ui/text/grade_text.h"
-#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
@@ -64,9 +63,9 @@ QString axis_name(int axis) {
 
 }  // namespace
 
-QString part_name(const Region& part) {
+QString part_name(const Region& part, const TissueNames& own) {
   const QString name = part.kind == RegionKind::outline  ? shape_name(part.outline.shape)
-                       : part.kind == RegionKind::tissue ? tissue_name(part.tissue)
+                       : part.kind == RegionKind::tissue ? tissue_name(part.tissue, own)
                                                          : kind_name(part.kind);
   const QString floor = floor_name(part);
   return floor.isEmpty() ? name : PartsForm::tr("%1, %2").arg(name, floor);
@@ -204,7 +203,8 @@ void PartsForm::show_list() {
     line.resize(path.size());
     auto* item = path.empty() ? new QTreeWidgetItem(list_) : new QTreeWidgetItem(line.back());
     const Region& part = *part_at(root, path);
-    item->setText(0, part.name.empty() ? part_name(part) : tr("%1: %2").arg(target_title(part.name, &root), part_name(part)));
+    const QString name = part_name(part, model_.tissue_names());
+    item->setText(0, part.name.empty() ? name : tr("%1: %2").arg(target_title(part.name, &root), name));
     line.push_back(item);
     ++rows;
     if (path == model_.part()) list_->setCurrentItem(item);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/editor/editor_model.h"
+#include "ui/text/names.h"
 
 class QComboBox;
 class QPushButton;
@@ -55,7 +56,7 @@ class PartsForm : public QWidget {
   std::vector<Number> numbers_;
 };
 
-/// "Box, gingival floor", "Cuboid", "Union".
-QString part_name(const Region& part);
+/// "Box, gingival floor", "Cuboid", "Union". `own`: the specimen's names of its tissues.
+QString part_name(const Region& part, const TissueNames& own);
 
 }  // namespace cusp::ui

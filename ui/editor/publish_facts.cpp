@@ -65,7 +65,7 @@ Stored<PublishFacts> publish_facts(Store& store, const EditorModel& model, std::
   }
   if (base) {
     out.since = base->version;
-    out.changes = change_messages(*base, model.scenario());
+    out.changes = change_messages(*base, model.scenario(), model.tissue_names());
   }
   return out;
 }

@@ -185,7 +185,7 @@ void ShapeForm::follow_model() {
   const Scenario& s = model_.scenario();
   const Outline& t = model_.outline();
   const bool box = t.shape == "box", outline = t.shape == "outline";
-  title_->setText(part_name(model_.chosen()));
+  title_->setText(part_name(model_.chosen(), model_.tissue_names()));
   title_->setVisible(model_.has_outline());  // of the numbers below
   drawn_->setVisible(model_.has_outline());
   faces_->setVisible(!s.leeway.faces.empty());

@@ -85,9 +85,7 @@ TissuesForm::TissuesForm(EditorModel& model, QWidget* parent) : QWidget(parent),
   follow_model();
 }
 
-TissuesForm::Row TissuesForm::make_row(std::size_t index) {
-  const Tissue tissue = model_.scenario().tissues[index].tissue;
-  const QString name = tissue_name(tissue);
+TissuesForm::Row TissuesForm::make_row(std::size_t index, const QString& name) {
   Row row{};
   auto* box = new QWidget;
   auto* column = new QVBoxLayout(box);
@@ -112,9 +110,9 @@ TissuesForm::Row TissuesForm::make_row(std::size_t index) {
 
 void TissuesForm::follow_model() {
   const Scenario& s = model_.scenario();
-  std::vector<Tissue> tissues;
-  for (const ScenarioTissue& t : s.tissues) tissues.push_back(t.tissue);
-  if (tissues != built_) {
+  QStringList names;
+  for (const ScenarioTissue& t : s.tissues) names << tissue_name(t.tissue, model_.tissue_names());
+  if (names != built_) {
     while (QLayoutItem* item = list_->takeAt(0)) {
       if (item->widget()) {
         item->widget()->hide();
@@ -123,8 +121,8 @@ void TissuesForm::follow_model() {
       delete item;
     }
     rows_.clear();
-    built_ = tissues;
-    for (std::size_t i = 0; i < tissues.size(); ++i) rows_.push_back(make_row(i));
+    built_ = names;
+    for (std::size_t i = 0; i < s.tissues.size(); ++i) rows_.push_back(make_row(i, names[static_cast<qsizetype>(i)]));
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const ScenarioTissue& t = s.tissues[i];

@@ -1,6 +1,7 @@
 /// Stiffness and removal speed of each tissue with the source of the figure, and the handpiece with its tilt and turn. Thread: GUI.
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <vector>
 
@@ -28,12 +29,12 @@ class TissuesForm : public QWidget {
     QLabel *stiffness_note, *speed_note;
   };
   void follow_model();
-  Row make_row(std::size_t index);
+  Row make_row(std::size_t index, const QString& name);
 
   EditorModel& model_;
   QVBoxLayout* list_;
   std::vector<Row> rows_;
-  std::vector<Tissue> built_;  // of rows_, in order
+  QStringList built_;  // names of rows_, in order
   QComboBox* handpiece_;
   NumberBox *tilt_, *turn_;
   QCheckBox *vibration_, *sound_, *heat_, *friction_;

@@ -92,5 +92,19 @@ TEST(check_messages, and_changes_name_one_of_several_targets_by_its_title) {
   EXPECT_TRUE(change_messages(exercise, lighter).front().contains(named));
 }
 
+TEST(check_messages, and_changes_name_a_tissue_as_the_volume_does) {
+  const TissueNames own = {{16, "pulp stone"}};
+  EXPECT_TRUE(check_message({Severity::error, "/tissues", "tissue_missing", {}, "16"}, nullptr, own).contains(QStringLiteral("pulp stone")));
+  Scenario before = *load_builtin("channel-1");
+  before.tissues.push_back({Tissue{16}, 2, 3});
+  Scenario after = before;
+  after.tissues.back().speed_mm_s = 1;
+  const QStringList faster = change_messages(before, after, own);
+  ASSERT_EQ(faster.size(), 1);
+  EXPECT_TRUE(faster.front().contains(QStringLiteral("pulp stone"))) << faster.front().toStdString();
+  after.tissues.pop_back();
+  EXPECT_FALSE(change_messages(before, after, own).join(u'|').contains(QStringLiteral("pulp stone"))) << "the volume has names of its own tissues alone";
+}
+
 }  // namespace
 }  // namespace cusp::test

@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <QLabel>
+#include <algorithm>
+#include <filesystem>
+
 #include "scenarios/format/read.h"
+#include "scenarios/import/nrrd.h"
 #include "scenarios/library/library.h"
+#include "scenarios/specimens/specimens.h"
 #include "tests/modules.h"
 #include "tests/ui/editor/class_one.h"
 #include "tests/ui/editor/editor_pages.h"
@@ -41,6 +47,28 @@ TEST(TissuesForm, the_handpiece_tilts_as_far_as_the_format_allows) {
   EXPECT_EQ(model.scenario().tool_tilt_deg, -80);
   EXPECT_EQ(place_of({Severity::error, "/device/tool_tilt_deg", "out_of_range", {{"value", 90}, {"least", -80}, {"most", 80}}, {}}),
             EditorPlace::tissues);
+}
+
+TEST_F(EditorPages, an_author_s_own_tissue_stands_in_the_panels_by_its_name_in_the_volume) {
+  SpecimenSource block;
+  block.generator = "block";
+  block.voxel_mm = 0.4;
+  auto volume = make_specimen(block, {});
+  ASSERT_TRUE(volume.has_value());
+  std::ranges::replace(volume->tissue, Tissue::plastic, Tissue{16});
+  volume->names[16] = "pulp stone";
+  EditorStart start = coarse();
+  start.draft.specimen = {};
+  start.draft.specimen.volume = "stone.nrrd";
+  start.draft.specimen.voxel_mm = volume->grid.voxel_mm;
+  start.draft.tissues = {{Tissue{16}, 2, 3}};
+  std::filesystem::create_directories(start.folder);
+  ASSERT_TRUE(write_nrrd(*volume, std::filesystem::path(start.folder) / "stone.nrrd"));
+  const auto page = open(start);
+  EXPECT_NE(named<NumberField>(*page, "Stiffness of pulp stone"), nullptr);
+  const QList<QLabel*> labels = page->findChildren<QLabel*>();
+  const auto naming_it = [](const QLabel* label) { return label->text().contains(QStringLiteral("pulp stone")); };
+  EXPECT_GE(std::ranges::count_if(labels, naming_it), 2) << "above its figures, and among what the exercise holds";
 }
 
 TEST_F(EditorPages, the_turn_that_is_typed_stands_in_the_draft_and_undo_takes_it_back) {
