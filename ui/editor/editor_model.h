@@ -77,6 +77,8 @@ class EditorModel : public QObject {
   bool take_proposed(const SpecimenLandmarks& proposed);
   /// The landmark is set then. False for a place beside the tooth (landmark_outside of validate.h).
   bool move_landmark(MarkPoint at, Vec3 mm);
+  /// Those of the exercise that lie on another volume too.
+  SpecimenLandmarks landmarks_on(const SpecimenFacts& other) const;
   bool accept_landmark(std::size_t mark);
   bool accept_landmarks();
   bool remove_landmark(std::size_t mark);

@@ -84,6 +84,14 @@ bool EditorModel::move_landmark(MarkPoint at, Vec3 mm) {
   return edit(tr("Landmark"), u"landmark/%1/%2"_qs.arg(at.mark).arg(at.point), change);
 }
 
+SpecimenLandmarks EditorModel::landmarks_on(const SpecimenFacts& other) const {
+  const std::vector<Finding> found = validate(scenario_, &other);
+  SpecimenLandmarks out{landmarks().fdi, {}};
+  for (std::size_t i = 0; i < landmarks().marks.size(); ++i)
+    if (!lies_outside(found, i)) out.marks.push_back(landmarks().marks[i]);
+  return out;
+}
+
 bool EditorModel::accept_landmark(std::size_t mark) {
   if (mark >= landmarks().marks.size()) return false;
   return edit_landmarks(tr("Accept a landmark"), [mark](SpecimenLandmarks& held) { held.marks[mark].state = MarkState::set; });

@@ -4,6 +4,8 @@
 #include <QComboBox>
 #include <QFileInfo>
 #include <QLabel>
+#include <QLocale>
+#include <QPointer>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <algorithm>
@@ -226,59 +228,75 @@ void SpecimenForm::use() {
     source.fdi = tooth_->currentData().toInt();
     source.seed = static_cast<std::uint64_t>(seed_->value());
   }
-  if (!model_.set_specimen(source, usual_tissues(source.generator))) {
+  take(source, usual_tissues(source.generator));
+}
+
+void SpecimenForm::pick() {
+  ports_.pick_file(this, {tr("Choose a volume"), {}, tr("Volumes (*.nrrd)"), false}, [this](const QString& path) { copy_beside(path.toStdString()); });
+}
+
+void SpecimenForm::copy_beside(const std::filesystem::path& from) {
+  const auto volume = read_nrrd(from);
+  if (!volume) {
+    const Message message = describe(volume.error());
+    band_->show_message(Band::Kind::bad, message.what, message.more);
+    return;
+  }
+  if (const QString refused = fineness_refusal(volume->grid.voxel_mm); !refused.isEmpty()) {
+    band_->show_message(Band::Kind::bad, refused,
+                        nrrd_is_specimen(from) ? tr("Nothing was changed. Make it anew from its scan or its surfaces.")
+                                               : tr("Nothing was changed. The import in the library makes it coarser or finer."));
+    return;
+  }
+  // A new name: an earlier step of undo may mean a file of the old one.
+  const std::filesystem::path folder = model_.folder();
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  const std::string wanted = name_beside_the_draft(from);
+  std::optional<ImportFailure> unwritten;  // a writer of volumes has another list of causes
+  const auto write = [&](const std::filesystem::path& file) -> Stored<void> {
+    const auto written = write_nrrd(*volume, file);
+    if (written) return {};
+    unwritten = written.error();
+    unwritten->where = wanted;
+    return fail(StorageError::io, file.string());
+  };
+  const auto name = error ? Stored<std::string>(std::unexpected(failure_from(error, folder)))
+                          : write_under_free_name(folder, wanted, {nullptr, write});
+  if (!name) {
+    const Message message = unwritten ? describe(*unwritten) : describe(name.error());
+    band_->show_message(Band::Kind::bad, message.what, message.more);
+    return;
+  }
+  SpecimenSource source;
+  source.volume = *name;
+  source.voxel_mm = *stated_voxel_mm(volume->grid.voxel_mm);
+  const SpecimenFacts facts = facts_of(*volume);
+  put_on(source, facts.tissues, model_.landmarks_on(facts));
+}
+
+void SpecimenForm::put_on(const SpecimenSource& source, const std::vector<Tissue>& tissues, const SpecimenLandmarks& kept) {
+  const std::vector<ScenarioTissue> figures = tissues_of_file(tissues, model_.scenario());
+  if (kept.marks.empty()) return take(source, figures);
+  const auto count = [](const SpecimenLandmarks& of) { return QLocale().toString(static_cast<qulonglong>(of.marks.size())); };
+  //: %1, %2: numbers of landmarks
+  const QString more = tr("%1 of %2 lie on the new volume. Keep them if it shows the same tooth in the same place.").arg(count(kept), count(model_.landmarks()));
+  const Question question{.what = tr("Keep the landmarks?"), .more = more, .act = tr("Keep them"), .stay = tr("Leave them out")};
+  ports_.ask(this, question, [self = QPointer(this), source, figures, kept](bool keeps) {
+    if (!self) return;
+    SpecimenSource marked = source;
+    if (keeps) marked.landmarks = kept;
+    self->take(marked, figures);
+  });
+}
+
+void SpecimenForm::take(const SpecimenSource& source, const std::vector<ScenarioTissue>& tissues) {
+  if (!model_.set_specimen(source, tissues)) {
     band_->show_message(Band::Kind::bad, tr("This tooth cannot be used."), tr("Nothing was changed."));
     return;
   }
   band_->clear();
   Q_EMIT done();
-}
-
-void SpecimenForm::pick() {
-  ports_.pick_file(this, {tr("Choose a volume"), {}, tr("Volumes (*.nrrd)"), false}, [this](const QString& path) {
-    const std::filesystem::path from = path.toStdString();
-    const auto volume = read_nrrd(from);
-    if (!volume) {
-      const Message message = describe(volume.error());
-      band_->show_message(Band::Kind::bad, message.what, message.more);
-      return;
-    }
-    if (const QString refused = fineness_refusal(volume->grid.voxel_mm); !refused.isEmpty()) {
-      band_->show_message(Band::Kind::bad, refused,
-                          nrrd_is_specimen(from) ? tr("Nothing was changed. Make it anew from its scan or its surfaces.")
-                                                 : tr("Nothing was changed. The import in the library makes it coarser or finer."));
-      return;
-    }
-    // A new name: an earlier step of undo may mean a file of the old one.
-    const std::filesystem::path folder = model_.folder();
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    const std::string wanted = name_beside_the_draft(from);
-    std::optional<ImportFailure> unwritten;  // a writer of volumes has another list of causes
-    const auto write = [&](const std::filesystem::path& file) -> Stored<void> {
-      const auto written = write_nrrd(*volume, file);
-      if (written) return {};
-      unwritten = written.error();
-      unwritten->where = wanted;
-      return fail(StorageError::io, file.string());
-    };
-    const auto name = error ? Stored<std::string>(std::unexpected(failure_from(error, folder)))
-                            : write_under_free_name(folder, wanted, {nullptr, write});
-    if (!name) {
-      const Message message = unwritten ? describe(*unwritten) : describe(name.error());
-      band_->show_message(Band::Kind::bad, message.what, message.more);
-      return;
-    }
-    SpecimenSource source;
-    source.volume = *name;
-    source.voxel_mm = *stated_voxel_mm(volume->grid.voxel_mm);
-    if (!model_.set_specimen(source, tissues_of_file(facts_of(*volume).tissues, model_.scenario()))) {
-      band_->show_message(Band::Kind::bad, tr("This tooth cannot be used."), tr("Nothing was changed."));
-      return;
-    }
-    band_->clear();
-    Q_EMIT done();
-  });
 }
 
 }  // namespace cusp::ui

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <QWidget>
+#include <filesystem>
+#include <vector>
 
 #include "ui/editor/editor_model.h"
 #include "ui/widgets/ports.h"
@@ -42,6 +44,10 @@ class SpecimenForm : public QWidget {
   bool file_stands() const;
   void change_tooth();
   void pick();
+  void copy_beside(const std::filesystem::path& from);
+  /// A file may be a better scan of the same tooth, or another tooth: the author chooses whether the landmarks go over to it.
+  void put_on(const SpecimenSource& source, const std::vector<Tissue>& tissues, const SpecimenLandmarks& kept);
+  void take(const SpecimenSource& source, const std::vector<ScenarioTissue>& tissues);
 
   EditorModel& model_;
   const Ports& ports_;

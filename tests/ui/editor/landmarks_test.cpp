@@ -3,14 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QPushButton>
 #include <QSignalSpy>
+#include <QTemporaryDir>
+#include <functional>
 #include <limits>
 
+#include "scenarios/import/nrrd.h"
 #include "tests/ui/editor/class_one.h"
 #include "tests/ui/editor/some_landmarks.h"
 #include "ui/editor/landmark_handles.h"
 #include "ui/editor/landmark_names.h"
 #include "ui/editor/landmarks_form.h"
+#include "ui/editor/specimen_form.h"
 
 namespace cusp::test {
 namespace {
@@ -173,6 +178,48 @@ TEST(LandmarkNames, say_kind_and_which) {
   EXPECT_EQ(landmark_name({MarkKind::fissure, "supplementary 2", {}, MarkState::set}), QStringLiteral("Fissure, supplementary 2"));
   EXPECT_EQ(landmark_point_name(marks[0], 1), QStringLiteral("Occlusal end"));
   EXPECT_TRUE(landmark_point_name(marks[1], 0).isEmpty());
+}
+
+/// 4.4 mm wide: the two tips of some_landmarks() lie on it, the junction does not.
+VoxelVolume narrow_crown() {
+  VoxelVolume out(Grid{IVec3(30, 30, 44), 0.2, Vec3(-2.9, -2.9, -0.9)});
+  for (int z = 4; z < 40; ++z)
+    for (int y = 4; y < 26; ++y)
+      for (int x = 4; x < 26; ++x) {
+        out.s[out.grid.index({x, y, z})] = kSolid;
+        out.tissue[out.grid.index({x, y, z})] = Tissue::enamel;
+      }
+  return out;
+}
+
+TEST(AnotherVolume, of_the_same_tooth_has_the_landmarks_that_lie_on_it_if_the_author_keeps_them) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("better.nrrd"));
+  ASSERT_TRUE(write_nrrd(narrow_crown(), file.toStdString()));
+  for (const bool keeps : {true, false}) {
+    EditorStart start = MarkedTooth::start();
+    start.folder = folder.filePath(keeps ? QStringLiteral("kept") : QStringLiteral("left")).toStdString();
+    EditorModel model(start);
+    QStringList asked;
+    Ports ports;
+    ports.pick_file = [&](QWidget*, const FileWish&, const std::function<void(const QString&)>& then) { then(file); };
+    ports.ask = [&](QWidget*, const Question& question, const std::function<void(bool)>& then) {
+      asked << question.more;
+      then(keeps);
+    };
+    SpecimenForm form(model, ports);
+    for (QPushButton* button : form.findChildren<QPushButton*>())
+      if (button->accessibleName() == QStringLiteral("Choose a volume…")) button->click();
+    ASSERT_EQ(model.scenario().specimen.volume, "better.nrrd");
+    ASSERT_EQ(asked.size(), 1);
+    EXPECT_TRUE(asked.front().startsWith(QStringLiteral("3 of 4 "))) << asked.front().toStdString();
+    SpecimenLandmarks on_it = some_landmarks();
+    on_it.marks.pop_back();
+    EXPECT_EQ(model.landmarks(), keeps ? on_it : SpecimenLandmarks{});
+    EXPECT_EQ(model.stack().count(), 1);
+    model.stack().undo();
+    EXPECT_EQ(model.landmarks(), some_landmarks());
+  }
 }
 
 }  // namespace
