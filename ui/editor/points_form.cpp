@@ -58,6 +58,14 @@ Bands moved(const Bands& bands, const std::string& metric, const Outline& target
   return by > 0.0 ? with_edges(bands, [by](double edge) { return std::round(100.0 * edge * by) / 100.0; }) : bands;
 }
 
+/// The criterion whose bands a new one takes: over-cut of one face that of all its kind, the shallowest floor the mean one.
+std::string pattern_of(const std::string& metric) {
+  if (metric == "depth_least") return "depth_mean";
+  for (const std::string_view start : {"overcut_leeway_", "overcut_beyond_"})
+    if (metric.starts_with(start)) return std::string(start) + (metric.ends_with("_floor") ? "floor" : "side");
+  return metric;
+}
+
 }  // namespace
 
 Bands first_bands(const std::string& of, const Region& whole, int fdi) {
@@ -71,7 +79,7 @@ Bands first_bands(const std::string& of, const Region& whole, int fdi) {
     const auto known = load_builtin(key);
     if (!known) continue;
     for (const Criterion& c : known->rubric.criteria) {
-      if (c.metric != metric) continue;
+      if (c.metric != pattern_of(metric)) continue;
       // A tree has no depth of its own before it is measured: the bands stay those of the pattern.
       return target.kind == RegionKind::outline ? moved(c.bands, metric, target.outline, known->target.outline) : c.bands;
     }

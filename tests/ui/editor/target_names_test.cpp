@@ -301,6 +301,18 @@ TEST(FirstBands, Grow_with_the_outlines_floor_and_wall_and_move_with_its_width) 
   EXPECT_NEAR(first_bands("isthmus_width", wide, 25).ideal_lo, 0.8, 1e-9) << "a box has no width of its own";
 }
 
+TEST(FirstBands, Of_one_faces_overcut_are_those_of_its_kind_and_lose_points) {
+  const Region target = load_builtin("class-1-36")->target;
+  for (const std::string zone : {"overcut_leeway_", "overcut_beyond_"}) {
+    for (const char* wall : {"mesial_wall", "axial_wall", "side_wall"})
+      EXPECT_EQ(first_bands(zone + wall, target, 36), first_bands(zone + "side", target, 36)) << zone << wall;
+    for (const char* floor : {"pulpal_floor", "gingival_floor"})
+      EXPECT_EQ(first_bands(zone + floor, target, 36), first_bands(zone + "floor", target, 36)) << zone << floor;
+    EXPECT_LT(first_bands(zone + "mesial_wall", target, 36).fail_hi, 100.0);
+  }
+  EXPECT_EQ(first_bands("depth_least", target, 36), first_bands("depth_mean", target, 36));
+}
+
 TEST(Width, Of_an_outline_moves_the_bands_of_its_isthmus_in_one_step) {
   EditorStart start;
   start.draft = *load_builtin("class-1-25");
