@@ -27,6 +27,10 @@ constexpr double kLeastRadiusVoxels = 3.0;
 constexpr double kLeastShare = 0.05;
 /// A landmark lies on the tooth; one placed by eye misses it by less, mm [M].
 constexpr double kBesideMm = 1.0;
+/// What no measure exceeds, by its unit: no tooth is larger, no attempt lasts longer and no hand pushes harder [M].
+double beyond_any(const MetricKey& metric) noexcept {
+  return std::min(metric.most, metric.unit == "s" ? 86400.0 : metric.unit == "mm3" ? 1000.0 : 100.0);
+}
 /// Two voxel sizes nearer than this are one, mm: a file may state 0.1 as the nearest 32-bit number, 1.5e-9 more.
 constexpr double kSameVoxelMm = 1e-6;
 
@@ -265,6 +269,8 @@ class Checks {
         continue;
       }
       const auto metric = metric_from_key(c.metric);
+      if (metric && share(b, metric->least) == 1 && share(b, beyond_any(*metric)) == 1)
+        warn(at("/rubric/criteria", i, "/bands"), "bands_without_edge", {}, c.metric);
       double best = 1;
       if (const auto v = perfect(c.metric)) {
         best = share(b, *v);

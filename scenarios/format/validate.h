@@ -54,7 +54,8 @@ std::optional<double> stated_voxel_mm(double voxel_mm) noexcept;
 ///   diameter, mm), feature_thin (below 2.5 voxels), bur_small (radius below 3 voxels), head_short (below 6),
 ///   neck_wider_than_ball, bur_wider_than_target, bur_short (no shank goes into the outline, and no neck is as long as it
 ///   is deep), corner_below_bur, leeway_below_voxel, point_off_floor, target_scores_less (an attempt that meets the target
-///   loses points), weight_vanishes (a criterion brings no point that shows), language_missing, nothing_can_be_cut,
+///   loses points), bands_without_edge (whatever is measured earns full points), weight_vanishes (a criterion
+///   brings no point that shows), language_missing, nothing_can_be_cut,
 ///   protected_twice (protected_removed counts it twice; detail: the tissue, or "region"), wall_of_other_side (a mesial or
 ///   distal wall of the target stands on the other side of the tooth), sides_unknown (the target names them on a file
 ///   without a number or mesial axis), tooth_turned (by its landmarks: measures by side are not measurable), tooth_tilted

@@ -101,6 +101,7 @@ QString reason(const Finding& f, const TissueNames& own) {
   if (c == "leeway_below_voxel") return CliText::tr("the tolerance zone is thinner than a voxel");
   if (c == "point_off_floor") return CliText::tr("points of the path do not lie on the floor");
   if (c == "target_scores_less") return CliText::tr("an attempt that meets the target loses points");
+  if (c == "bands_without_edge") return CliText::tr("%1 earns full points whatever is measured").arg(text(f.detail));
   if (c == "language_missing") return CliText::tr("a text is missing in a language (%1)").arg(text(f.detail));
   if (c == "expected_beyond_limit") return CliText::tr("the expected time is longer than the time limit");
   if (c == "weight_vanishes") return CliText::tr("a criterion brings less than a twentieth of a point");

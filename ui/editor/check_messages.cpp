@@ -224,6 +224,9 @@ QString check_message(const Finding& f, const Region* whole, const TissueNames& 
   if (c == u"bands_not_ordered") {
     return CheckText::tr("The bands of %1 are not in rising order.").arg(metric_name(f.detail, whole));
   }
+  if (c == u"bands_without_edge") {
+    return CheckText::tr("%1 earns its points whatever is measured. Set what earns them, or remove it.").arg(metric_name(f.detail, whole));
+  }
   if (c == u"pass_unreachable") {
     return CheckText::tr("The pass mark %1 is out of reach: at most %2 points can be had.")
         .arg(format_points(value), format_points(limit));

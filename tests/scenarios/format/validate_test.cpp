@@ -220,6 +220,19 @@ TEST(Validate, RefusesAMarginalRidgeBetweenNeighboursOfTheSamePlastic) {
   EXPECT_THAT(of(tooth), IsEmpty());
 }
 
+TEST(Validate, WarnsOfBandsThatNoMeasureLeaves) {
+  using ::testing::ElementsAre;
+  using ::testing::HasSubstr;
+  const auto with = [](const char* metric, const Bands& bands) {
+    return after([&](Scenario& s) { s.rubric.criteria.push_back({metric, 10, bands}); });
+  };
+  EXPECT_THAT(with("overcut_beyond_mesial_wall", {0, 0, 0, 1000, 1000, 1000}), ElementsAre(HasSubstr("bands_without_edge")));
+  EXPECT_THAT(with("contact_broken", {0, 0, 0, 1, 1, 1}), ElementsAre(HasSubstr("bands_without_edge"))) << "yes or no";
+  EXPECT_THAT(with("time", {0, 0, 0, 86400, 86400, 86400}), ElementsAre(HasSubstr("bands_without_edge")));
+  EXPECT_THAT(with("time", {0, 0, 0, 1200, 1800, 2400}), IsEmpty());
+  EXPECT_THAT(with("remaining_over_pulp", {0.3, 0.5, 0.8, 100, 100, 100}), IsEmpty()) << "its low edge costs points";
+}
+
 TEST(Validate, WarnsOfAFloorThatNoBurReaches) {
   using ::testing::ElementsAre;
   const auto with = [](double depth_mm, double width_mm) {
