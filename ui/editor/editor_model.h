@@ -99,7 +99,8 @@ class EditorModel : public QObject {
   bool set_outline(const Outline& outline, const QString& field);       // for handles: the whole outline
   bool set_taper_deg(std::size_t side, double deg);                     // -x, +x, -y, +y
   bool set_shape(const std::string& shape);                             // keeps place, size and depth
-  /// If its floor is the pulpal floor, moves the bands of depth criteria too, so that an exact cut still earns full points.
+  /// If its floor is the pulpal floor, moves the bands of depth criteria too, so that an exact cut still earns full points; of several
+  /// targets those of the whole move with the deepest, the shallowest and the narrowest one.
   bool set_depth_mm(double mm);
   bool set_width_mm(double mm);  // the bands of the isthmus likewise
   bool set_top_mm(double mm);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "scenarios/format/keys.h"
 #include "scenarios/shapes/target.h"
@@ -31,13 +32,35 @@ bool has_pulpal_floor(const Region& outline) {
   return floor == outline.faces.end() || floor->second == FaceName::pulpal_floor;
 }
 
-/// Moves the bands of each measurement that begins with `metric`: of the named target that `part` lies in, else of the whole.
-void move_bands(Scenario& s, const PartPath& part, std::string_view metric, double by_mm) {
+void add_pulpal_floors(const Region& region, std::vector<const Outline*>& out) {
+  if (region.kind == RegionKind::outline && has_pulpal_floor(region)) out.push_back(&region.outline);
+  for (const Region& part : region.parts) add_pulpal_floors(part, out);
+}
+
+/// What the whole of several targets reads where each is cut exactly; 0 where no single outline decides it.
+double read_of_whole(std::string_view metric, const Region& whole) {
+  std::vector<const Outline*> floors;
+  add_pulpal_floors(whole, floors);
+  if (floors.empty()) return 0.0;
+  const double plane = outlines_of(whole).front()->top_mm;  // floor_depth() measures from it
+  std::vector<double> read;
+  for (const Outline* one : floors) {
+    const double across = one->shape == "box" ? one->box_size_mm.y : one->width_mm;
+    read.push_back(metric == "isthmus_width" ? across : one->depth_mm + (plane - one->top_mm));
+  }
+  if (metric == "depth_most") return *std::ranges::max_element(read);
+  return metric == "depth_least" || metric == "isthmus_width" ? *std::ranges::min_element(read) : 0.0;
+}
+
+/// Moves the bands of each measurement that begins with `metric`: of the named target that `part` lies in, else of the whole. Where
+/// `part` lies in a named target, those of the whole move with the outline that decides them. `before`: the target until now.
+void move_bands(Scenario& s, const Region& before, const PartPath& part, std::string_view metric, double by_mm) {
   const std::string own = part.empty() ? std::string() : part_at(s.target, {part.front()})->name;
   for (Criterion& c : s.rubric.criteria) {
     const auto [measured, target] = scenarios::split_metric(c.metric);
-    if (!measured.starts_with(metric) || target != own) continue;
-    c.bands = with_edges(c.bands, [by_mm](double edge) { return edge + by_mm; });
+    if (!measured.starts_with(metric) || (target != own && !target.empty())) continue;
+    const double by = target == own ? by_mm : read_of_whole(measured, s.target) - read_of_whole(measured, before);
+    if (by != 0.0) c.bands = with_edges(c.bands, [by](double edge) { return edge + by; });
   }
 }
 
@@ -133,19 +156,21 @@ bool EditorModel::set_shape(const std::string& shape) {
 
 bool EditorModel::set_depth_mm(double mm) {
   return edit_outline(tr("Depth"), u"depth"_qs, [&](Scenario& s, Outline& t) {
+    const Region before = s.target;
     const double by = mm - t.depth_mm;
     t.depth_mm = mm;
     settle_on_floor(t);
     if (!std::isfinite(by) || !has_pulpal_floor(*part_at(s.target, part_))) return;
-    move_bands(s, part_, "depth_", by);
+    move_bands(s, before, part_, "depth_", by);
   });
 }
 
 bool EditorModel::set_width_mm(double mm) {
   return edit_outline(tr("Width"), u"width"_qs, [&](Scenario& s, Outline& t) {
+    const Region before = s.target;
     const double by = mm - t.width_mm;
     t.width_mm = mm;
-    if (std::isfinite(by) && has_pulpal_floor(*part_at(s.target, part_))) move_bands(s, part_, "isthmus_width", by);
+    if (std::isfinite(by) && has_pulpal_floor(*part_at(s.target, part_))) move_bands(s, before, part_, "isthmus_width", by);
   });
 }
 
@@ -163,9 +188,10 @@ bool EditorModel::set_corner_radius_mm(double mm) {
 bool EditorModel::set_box_size_mm(double x, double y) {
   if (!(x > 0) || !(y > 0)) return false;
   return edit_outline(tr("Size"), u"size"_qs, [&](Scenario& s, Outline& t) {
+    const Region before = s.target;
     const double by = y - t.box_size_mm.y;
     t.box_size_mm = {x, y, 0};
-    if (t.shape == "box" && has_pulpal_floor(*part_at(s.target, part_))) move_bands(s, part_, "isthmus_width", by);
+    if (t.shape == "box" && has_pulpal_floor(*part_at(s.target, part_))) move_bands(s, before, part_, "isthmus_width", by);
   });
 }
 

@@ -326,6 +326,27 @@ TEST(Width, Of_an_outline_moves_the_bands_of_its_isthmus_in_one_step) {
   EXPECT_EQ(model.scenario(), before);
 }
 
+TEST(Width, And_depth_of_several_targets_move_the_bands_of_the_whole_with_the_narrowest_and_the_deepest) {
+  EditorStart start;
+  start.draft = *load_builtin("class-1-16");
+  EditorModel model(start);
+  const auto bands_of = [&](const char* metric) {
+    return std::ranges::find(model.scenario().rubric.criteria, metric, &Criterion::metric)->bands;
+  };
+  const Bands isthmus = bands_of("isthmus_width"), deepest = bands_of("depth_most");
+  const Outline mesial = model.scenario().target.parts[0].outline;
+  model.choose_part({0});
+  ASSERT_TRUE(model.set_width_mm(mesial.width_mm + 0.3));
+  EXPECT_EQ(bands_of("isthmus_width"), isthmus) << "the distal cavity is as narrow as before";
+  ASSERT_TRUE(model.set_depth_mm(mesial.depth_mm + 0.4));
+  EXPECT_NEAR(bands_of("depth_most").ideal_hi, deepest.ideal_hi + 0.4, 1e-9);
+  model.choose_part({1});
+  ASSERT_TRUE(model.set_width_mm(mesial.width_mm + 0.3));
+  EXPECT_NEAR(bands_of("isthmus_width").ideal_lo, isthmus.ideal_lo + 0.3, 1e-9);
+  ASSERT_TRUE(model.set_depth_mm(mesial.depth_mm + 0.4));
+  EXPECT_NEAR(bands_of("depth_most").ideal_hi, deepest.ideal_hi + 0.4, 1e-9) << "the other is as deep";
+}
+
 TEST(Width, Of_a_box_moves_the_bands_of_its_isthmus_and_its_length_moves_none) {
   EditorStart start;
   start.draft = *load_builtin("class-1-25");
