@@ -8,15 +8,14 @@
 #include <numbers>
 
 #include "scenarios/landmarks/landmarks.h"
-#include "ui/report/criteria_model.h"
-#include "ui/widgets/paper.h"
 #include "ui/report/paper_closeups.h"
+#include "ui/report/paper_criteria.h"
 #include "ui/report/paper_remarks.h"
 #include "ui/report/paper_sides.h"
 #include "ui/text/grade_text.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/gauge.h"
+#include "ui/widgets/paper.h"
 #include "ui/widgets/theme.h"
 
 namespace cusp::ui {
@@ -28,7 +27,7 @@ struct PdfText {
 
 // Pixels of the screen at 100 %; `unit` of the paper to each.
 constexpr double kToothHigh = 300, kToothLeast = 130;  // of the picture: usual, and beside the legend where a table is long
-constexpr double kToothRatio = 1.35, kRow = 18;         // how much wider than high it is; a line of the table
+constexpr double kToothRatio = 1.35;                    // how much wider than high it is
 constexpr double kAboveFoot = 14, kFootType = 8.5;      // between the advice and the foot; size of its type
 constexpr int kFootFlags = static_cast<int>(Qt::AlignLeft | Qt::AlignBottom) | Qt::TextWordWrap;
 constexpr double kBelowTooth = 14;                      // between the picture and the table
@@ -134,77 +133,6 @@ void write_tooth(Paper& paper, const DrawnTooth& tooth, const std::vector<PaperA
   p.restore();
 }
 
-/// A name that is wider than its column takes a second line.
-double height_of_name(Paper& paper, const QString& name, const QRectF& cell) {
-  paper.painter().setFont(paper.font(11));
-  const QRectF room(cell.left(), cell.top(), cell.width(), paper.u(10 * kRow));
-  return std::max(paper.u(kRow), paper.painter().boundingRect(room, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, name).height());
-}
-
-/// Begins another sheet if what is `needed`, in the painter's units, does not fit above the foot; true if it did.
-using MakeRoom = std::function<bool(double needed)>;
-
-void write_criteria(Paper& paper, const ReportData& d, const Tokens& t, const MakeRoom& make_room) {
-  CriteriaModel model(d.result.grade, d.result.scenario, d.changes);
-  model.set_own(d.own);
-  const bool rated = d.own && !d.own->skipped();
-  const QRectF page = paper.page();
-  const std::vector<double> widths = rated ? std::vector{0.32, 0.19, 0.17, 0.19, 0.13} : std::vector{0.36, 0.22, 0.2, 0.22};
-  constexpr int columns[] = {CriteriaModel::kName, CriteriaModel::kYours, CriteriaModel::kWanted, CriteriaModel::kPoints, CriteriaModel::kOwn};
-  double high = 0;
-  const auto cell = [&](std::size_t i) {
-    double x = page.left();
-    for (std::size_t j = 0; j < i; ++j) x += widths[j] * page.width();
-    return QRectF(x, paper.y(), widths[i] * page.width() - paper.u(10), high);
-  };
-  const auto write_heads = [&] {
-    high = paper.u(kRow);
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-      paper.painter().setFont(paper.font(10.5, Weight::bold));
-      paper.painter().setPen(t.text2);
-      paper.painter().drawText(cell(i), (i == 1 || i == 3 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
-                               model.headerData(columns[i], Qt::Horizontal, Qt::DisplayRole).toString());
-    }
-    paper.skip(20);
-    paper.rule(t.border);
-    paper.skip(3);
-  };
-  write_heads();
-  for (int row = 0; row < model.rowCount(); ++row) {
-    const CriterionGrade& c = model.criterion(row);
-    const QString name = model.index(row, CriteriaModel::kName).data().toString(), change = model.change(row);
-    const double of_name = height_of_name(paper, name, cell(0));
-    if (make_room(of_name + paper.u(change.isEmpty() ? 2 : 16))) write_heads();
-    high = of_name;
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-      const QModelIndex at = model.index(row, columns[i]);
-      QString text = model.data(at, Qt::DisplayRole).toString();
-      if (const QString second = model.data(at, SecondRole).toString(); !second.isEmpty()) text += u' ' + second;
-      const bool at_right = i == 1 || i == 3;
-      paper.painter().setFont(paper.font(11, i == 3 ? Weight::bold : Weight::regular));
-      paper.painter().setPen(t.text);
-      paper.painter().drawText(cell(i), static_cast<int>((at_right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter) | (i == 0 ? Qt::TextWordWrap : 0), text);
-    }
-    if (c.points_max > 0) {
-      const QRectF last = cell(3);
-      paint_bar(paper.painter(), QRectF(last.left(), last.center().y() - paper.u(2.5), paper.u(44), paper.u(5)),
-                c.points / c.points_max, colour_of(model.bar_role(row)), t.sunken);
-    }
-    paper.skip(high / paper.u(1) + 2);
-    if (!change.isEmpty()) {
-      // One line: the remarks have the whole reason.
-      const QRectF line(page.left() + paper.u(10), paper.y() - paper.u(3), page.width() - paper.u(20), paper.u(15));
-      paper.painter().setFont(paper.font(10));
-      paper.painter().setPen(t.text2);
-      paper.painter().drawText(line, Qt::AlignLeft | Qt::AlignVCenter, paper.painter().fontMetrics().elidedText(change, Qt::ElideRight, static_cast<int>(line.width())));
-      paper.skip(14);
-    }
-    paper.rule(t.line);
-    paper.skip(3);
-  }
-  paper.skip(7);
-}
-
 void write_next_time(Paper& paper, const ReportData& d, const std::vector<PaperAdvice>& shown, const Tokens& t, const MakeRoom& make_room) {
   const double x = paper.page().left(), w = paper.page().width(), indent = paper.u(20);
   const Paper::Type bold{11, Weight::bold, t.text}, plain{11, Weight::regular, t.text};
@@ -225,7 +153,7 @@ void write_next_time(Paper& paper, const ReportData& d, const std::vector<PaperA
   if (!counted.isEmpty()) make_room(paper.height_of(counted, w, plain));
   if (!counted.isEmpty()) paper.write(counted, {x, w}, plain);
   if (d.before) {
-    make_room(paper.u(8 + kRow));
+    make_room(paper.u(8 + kCriteriaRow));
     paper.skip(8);
     const double apart = std::round(10 * (shown_points(d.result.grade.score) - shown_points(d.before->score))) / 10;  // as both are shown
     paper.write(PdfText::tr("Best before: %1 point(s) on %2; this attempt %3.", nullptr, point_forms(d.before->score))
