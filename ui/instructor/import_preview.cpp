@@ -145,7 +145,7 @@ void ImportPreview::show_made() {
   QStringList parts;
   for (std::size_t code = 1; code < kTissueCodes; ++code)
     if (made_.mm3[code] > 0.0)
-      parts << QStringLiteral("%1 %2").arg(tissue_name(static_cast<Tissue>(code)),
+      parts << QStringLiteral("%1 %2").arg(tissue_name(static_cast<Tissue>(code), made_.volume->names),
                                            format_value({.value = made_.mm3[code], .unit = QStringLiteral("mm³"), .decimals = 1}));
   facts_->setText(size_text(size_mm(), u"mm"_qs) + u'\n' + parts.join(QStringLiteral(" · ")));
   // Space above for the arrow.

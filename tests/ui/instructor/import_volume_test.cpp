@@ -153,6 +153,22 @@ TEST_F(ImportPageTest, a_specimen_that_is_finer_than_an_exercise_can_be_is_refus
   EXPECT_TRUE(EditorModel(*started).set_title("en", QStringLiteral("Scanned tooth")));
 }
 
+TEST_F(ImportPageTest, a_tissue_that_the_author_named_stands_by_that_name) {
+  VoxelVolume volume(Grid{IVec3(40, 40, 40), 0.25, Vec3(0.0)});
+  for (int z = 10; z < 30; ++z)
+    for (int y = 10; y < 30; ++y)
+      for (int x = 10; x < 30; ++x) {
+        const std::size_t at = volume.grid.index({x, y, z});
+        volume.tissue[at] = Tissue{16};
+        volume.s[at] = kSolid;
+      }
+  volume.names[16] = "pulp stone";
+  ASSERT_TRUE(write_nrrd(volume, folder / "own.nrrd"));
+  open({file("own.nrrd")});
+  make();
+  EXPECT_TRUE(texts().contains(QStringLiteral("pulp stone"))) << texts().toStdString();
+}
+
 TEST_F(ImportPageTest, the_size_of_a_large_volume_can_be_confirmed) {
   write_text(folder / "map.nrrd", "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 30 8 8\nspacings: 5 5 5\nencoding: raw\n\n" + std::string(1920, '\2'));
   open({file("map.nrrd")});
