@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -90,6 +91,18 @@ Volume token(const Reference& reference, const std::shared_ptr<const Specimen>& 
 /// Of the way, not of the tooth: an attempt that is not played has none.
 bool is_of_process(std::string_view metric) { return metric == "time" || metric.starts_with("force_") || needs_heat(metric); }
 
+/// Whether an attempt that cuts the whole target and nothing else passes, within what a model's own error may change. What only a played
+/// attempt has is of no account.
+std::optional<Finding> check_pass(const Scenario& scenario, const std::vector<Measure>& measures) {
+  Scenario cut = scenario;
+  std::erase_if(cut.rubric.criteria, [](const Criterion& c) { return is_of_process(c.metric); });
+  const Grade exact = grade(cut, measures);
+  if (std::ranges::none_of(exact.criteria, [](const CriterionGrade& c) { return c.points_max > 0.0; })) return std::nullopt;
+  if (exact.critical.empty() && reaches(exact.score + scenario.tolerance_points, exact.pass_mark)) return std::nullopt;
+  return Finding{Severity::error, "/rubric/pass", "target_fails", {{"value", exact.score}, {"limit", exact.pass_mark}},
+                 exact.critical.empty() ? std::string() : exact.critical.front()};
+}
+
 /// The tooth without the whole target: criteria that not even this lets be measured drop out of every grade.
 std::vector<Finding> check_finished(const Scenario& scenario, const Reference& reference, const std::shared_ptr<const Specimen>& specimen,
                                     const Process& process) {
@@ -102,6 +115,7 @@ std::vector<Finding> check_finished(const Scenario& scenario, const Reference& r
     if (is_of_process(metric) || (found != measures.end() && found->measured)) continue;
     out.push_back({Severity::error, "/rubric/criteria/" + std::to_string(i) + "/metric", "criterion_unmeasured", {}, metric});
   }
+  if (auto fails = check_pass(scenario, measures)) out.push_back(std::move(*fails));
   return out;
 }
 

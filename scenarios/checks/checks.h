@@ -23,7 +23,9 @@ namespace cusp::scenarios {
 /// The scenario's own rubric on the untouched specimen, on two that lack a twentieth of the target, its top and a shaft to the floor,
 /// and on one without the target. Some tenths of a second, with a box's measures seconds. Errors: idle_earns (value points: nothing was
 /// cut), token_passes (value points), criterion_unmeasured (detail: a metric that the finished target has not: it would drop out of
-/// every grade). Warning: token_earns (value: points, limit: what such a cut may earn). Pre: has_error(validate(scenario)) is false, and the specimen is the scenario's in its method's reading.
+/// every grade), target_fails (whoever cuts the target and nothing else does not pass; value points, limit: the pass mark, detail: the
+/// critical event, if one fails it). Warning: token_earns (value: points, limit: what such a cut may earn). Pre:
+/// has_error(validate(scenario)) is false, and the specimen is the scenario's in its method's reading.
 [[nodiscard]] std::vector<Finding> check_attempts(const Scenario& scenario, std::shared_ptr<const Specimen> specimen);
 
 /// Title and briefing, in every language there is, against those of `patterns`: what an author began from. Warnings:

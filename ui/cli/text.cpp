@@ -45,6 +45,7 @@ QString reason_of_checks(const Finding& f, const TissueNames& own) {
   if (c == "idle_earns") return CliText::tr("an attempt that cuts nothing earns points");
   if (c == "token_passes") return CliText::tr("an attempt that cuts a twentieth of the target passes");
   if (c == "token_earns") return CliText::tr("an attempt that cuts a twentieth of the target earns points");
+  if (c == "target_fails") return CliText::tr("an attempt that cuts the target and nothing else does not pass");
   if (c == "criterion_unmeasured") return CliText::tr("%1 cannot be measured on this specimen with this target").arg(text(f.detail));
   if (c == "text_of_template") return CliText::tr("the text is still that of the exercise it was copied from (%1)").arg(text(f.detail));
   if (c == "text_other_tooth") return CliText::tr("the title names another tooth (%1)").arg(text(f.detail));

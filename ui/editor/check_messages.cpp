@@ -94,6 +94,13 @@ QString exercise_message(const Finding& f, const OwnNames& own, double value, do
     return CheckText::tr("An attempt that cuts a twentieth of the target gets %1 points. Give full points for the target only where most of it is removed.")
         .arg(format_points(value));
   }
+  if (c == u"target_fails" && !f.detail.empty()) {
+    return CheckText::tr("An attempt that cuts the target and nothing else fails: %1.").arg(critical_name(f.detail));
+  }
+  if (c == u"target_fails") {
+    return CheckText::tr("An attempt that cuts the target and nothing else gets %1 points, and the pass mark is %2. Fit the bands to the target.")
+        .arg(format_points(value), format_points(limit));
+  }
   if (c == u"criterion_unmeasured") {
     return CheckText::tr("%1 cannot be measured on this tooth with this target, so nobody would be graded by it. Remove it, or change tooth or target.")
         .arg(metric_name(f.detail, own.whole));

@@ -15,14 +15,14 @@ namespace cusp::ui {
 
 namespace {
 
-bool is_unmeasured(const Finding& f) { return f.code == "criterion_unmeasured"; }
-bool is_refused(const Finding& f) { return f.severity == Severity::error && !is_unmeasured(f); }
+bool is_of_rubric(const Finding& f) { return f.code == "criterion_unmeasured" || f.code == "target_fails"; }
+bool is_refused(const Finding& f) { return f.severity == Severity::error && !is_of_rubric(f); }
 
-/// Criteria that drop out of every grade on this tooth.
-std::set<std::string> unmeasured_in(const std::vector<Finding>& findings) {
+/// Criteria that drop out of every grade on this tooth, and whether the target itself fails.
+std::set<std::string> lacks_in(const std::vector<Finding>& findings) {
   std::set<std::string> out;
   for (const Finding& f : findings)
-    if (is_unmeasured(f)) out.insert(f.detail);
+    if (is_of_rubric(f)) out.insert(f.code + ' ' + f.detail);
   return out;
 }
 
@@ -51,14 +51,14 @@ Outcome<Scenario> draw_tooth(const Scenario& exercise, AssignmentId assignment, 
     if (!specimen) return std::unexpected(specimen.error());
     const std::vector<Finding> findings = check_exercise(*drawn, *specimen);
     if (std::ranges::any_of(findings, is_refused)) continue;
-    const std::set<std::string> unmeasured = unmeasured_in(findings);
-    if (unmeasured.empty()) return std::move(*drawn);
+    const std::set<std::string> here = lacks_in(findings);
+    if (here.empty()) return std::move(*drawn);
     if (!lacks) {
       const auto own = grow(exercise);
       if (!own) return std::unexpected(own.error());
-      lacks = unmeasured_in(check_attempts(exercise, *own));
+      lacks = lacks_in(check_attempts(exercise, *own));
     }
-    if (std::ranges::includes(*lacks, unmeasured)) return std::move(*drawn);
+    if (std::ranges::includes(*lacks, here)) return std::move(*drawn);
   }
   return session_fail(SessionError::no_tooth, "/specimen/seed");
 }

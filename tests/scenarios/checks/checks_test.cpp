@@ -199,6 +199,20 @@ TEST(Attempts, ACriterionThatTheFinishedTargetDoesNotHaveIsAnError) {
   EXPECT_THAT(u.attempts(), IsEmpty());
 }
 
+TEST(Attempts, ATargetThatDoesNotPassItselfIsAnError) {
+  Tooth t;
+  for (Criterion& c : t.scenario.rubric.criteria)
+    if (c.metric.starts_with("depth_") || c.metric == "isthmus_width" || c.metric == "target_removed") c.bands = {50, 60, 70, 80, 90, 95};
+  EXPECT_THAT(t.attempts(), Contains("error /rubric/pass target_fails"));
+  Tooth u;  // waiting ten seconds is no time to cut in, and nothing is known of the way
+  u.scenario.rubric.criteria.push_back({"time", 200, {60, 120, 180, 600, 700, 800}});
+  EXPECT_THAT(u.attempts(), Not(Contains("error /rubric/pass target_fails")));
+  Tooth v;
+  v.scenario.rubric.critical.push_back("protected_damage");
+  v.scenario.protected_parts.emplace_back(Tissue::enamel);
+  EXPECT_THAT(v.attempts(), Contains("error /rubric/pass target_fails")) << "the target takes what is protected";
+}
+
 TEST(Attempts, OfAFilledReadingAreGradedToo) {
   Scenario s = load_builtin("paper-block").value();
   const auto block = grown(s);

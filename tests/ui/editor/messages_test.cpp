@@ -29,7 +29,7 @@ TEST(check_messages, every_code_of_the_checks_has_a_message) {
        {"no_instrument", "no_target", "path_count", "point_count", "empty_target", "critical_twice", "criterion_unmeasured", "no_criteria", "weight_zero",
         "bands_not_ordered", "pass_unreachable", "protected_missing", "protected_twice", "tissue_missing", "target_outside",
         "voxel_mismatch", "feature_thin", "bur_small", "head_short", "neck_wider_than_ball", "bur_wider_than_target",
-        "corner_below_bur", "leeway_below_voxel", "point_off_floor", "target_scores_less", "bands_without_edge", "language_missing",
+        "corner_below_bur", "leeway_below_voxel", "point_off_floor", "target_scores_less", "bands_without_edge", "target_fails", "language_missing",
         "nothing_can_be_cut", "tissue_unused", "target_opens_pulp", "leeway_opens_pulp", "two_spindles",
         "spindle_missing", "heat_missing", "expected_beyond_limit", "tooth_turned", "tooth_tilted", "landmark_outside", "wall_of_other_side", "bur_not_of_number", "bur_short", "ridge_of_plastic", "sides_unknown"}) {
     const QString shown = check_message({Severity::error, "/target", code, {{"value", 1}, {"limit", 2}}, "pulp"});
