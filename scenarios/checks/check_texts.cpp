@@ -153,16 +153,18 @@ class TextCheck {
 
   /// A title's whole numbers are teeth where FDI has them; a briefing's may be minutes.
   void tooth(const std::string& language, const std::string& text) {
-    if (s_.specimen.generator != "tooth") return;
+    const SpecimenSource& specimen = s_.specimen;
+    const int fdi = specimen.generator.empty() ? specimen.landmarks.fdi : specimen.grown_fdi();
+    if (fdi == 0) return;  // a block, or a file whose number nobody stated
     std::optional<int> wrong;
     for (const Figure& f : figures_of(text)) {
       if (!f.whole || f.mm || f.value > 48 || !is_fdi(static_cast<int>(f.value))) continue;
-      if (static_cast<int>(f.value) == s_.specimen.fdi) return;
+      if (static_cast<int>(f.value) == fdi) return;
       wrong = static_cast<int>(f.value);
     }
     if (!wrong) return;
     out_.push_back({Severity::warning, "/title/" + language, "text_other_tooth",
-                    {{"value", static_cast<double>(*wrong)}, {"limit", static_cast<double>(s_.specimen.fdi)}}, language});
+                    {{"value", static_cast<double>(*wrong)}, {"limit", static_cast<double>(fdi)}}, language});
   }
 
   void figures(const std::string& language, const std::string& text) {

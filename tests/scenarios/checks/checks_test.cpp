@@ -242,6 +242,19 @@ TEST(Texts, ACopyWithAnotherToothStillDescribesItsTemplate) {
   EXPECT_THAT(codes(check_texts(s, library_patterns())), IsEmpty());
 }
 
+TEST(Texts, ATitleNamesTheToothOfAFileByTheNumberThatItsAuthorGaveIt) {
+  Scenario s = copy_of("class-1-36");
+  s.title = {{"en", "Scanned tooth 36"}};
+  s.specimen = {};
+  s.specimen.volume = "tooth.nrrd";
+  const std::string found = "warning /title/en text_other_tooth";
+  EXPECT_THAT(codes(check_texts(s, {})), Not(Contains(found))) << "nobody knows its number";
+  s.specimen.landmarks.fdi = 46;
+  EXPECT_THAT(codes(check_texts(s, {})), Contains(found));
+  s.specimen.landmarks.fdi = 36;
+  EXPECT_THAT(codes(check_texts(s, {})), Not(Contains(found)));
+}
+
 TEST(Texts, ADepthThatTheTargetNoLongerHasIsFoundInEveryLanguage) {
   Scenario s = copy_of("class-1-36");
   s.title = {{"en", "Deep class I"}, {"de", "Tiefe Klasse I"}};
