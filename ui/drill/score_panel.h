@@ -9,6 +9,7 @@
 #include "engine/base/haptic_port.h"
 #include "scenarios/format/scenario.h"
 #include "ui/modules.h"
+#include "ui/session/exercise_session.h"
 #include "ui/session/observer.h"
 #include "ui/widgets/gauge.h"
 
