@@ -206,7 +206,7 @@ Outcome<SessionResult> ExerciseSession::finish(const MeasureProgress& progress) 
   in.stop();
   if (in.stands_still) {
     abandon();
-    if (in.setup.session.is_nil()) return session_fail(SessionError::device, PortFailure{PortError::io, in.setup.device.name, {}});
+    if (in.setup.session.is_nil()) return session_fail(SessionError::device, PortFailure{PortError::io, in.setup.device.name, std::string(kStandsStill)});
     return session_fail(SessionError::driver_silent, in.setup.device.name);
   }
   if (in.recorder) {

@@ -34,7 +34,7 @@ enum class SessionError : std::uint8_t {
   driver_silent,      // at the end the driver did not come back; the attempt is kept as interrupted; where: the device
 };
 
-/// PortFailure::detail of a driver that did not come back from open().
+/// PortFailure::detail of a driver that did not come back: from open(), or at the end of an attempt of which nothing is kept.
 inline constexpr std::string_view kStandsStill = "stands_still";
 
 /// Stable keys, for --json.

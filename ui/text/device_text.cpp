@@ -24,6 +24,7 @@ Message describe_inverse(const PortFailure& f) {
 Message describe_on_device(const SessionFailure& f, std::string_view kind) {
   const auto* code = std::get_if<PortError>(&f.cause);
   if (code == nullptr) return describe(f);
+  if (f.detail == kStandsStill) return describe(f);  // of any device: it was there, and its driver does not come back
   const PortFailure port{*code, f.where, f.detail};
   if (kind == "falcon") return describe_falcon(port);
   if (kind == "inverse3" && (f.where == "service" || f.where == "device")) return describe_inverse(port);

@@ -1,6 +1,7 @@
 // The text for what a Falcon does now, and for what keeps it away.
 #include <gtest/gtest.h>
 
+#include "device/catalogue.h"
 #include "tests/modules.h"
 #include "ui/device/homing_view.h"
 #include "ui/text/device_text.h"
@@ -64,6 +65,15 @@ TEST(FalconText, firmware_that_is_lacking_is_no_script) {
   EXPECT_EQ(describe_on_device(lacking, "falcon").what, "The Falcon needs its firmware file.");
   const SessionFailure broken{.code = SessionError::device, .where = "script.csv", .detail = "empty", .cause = PortError::bad_file};
   EXPECT_EQ(describe_on_device(broken, "scripted").what, "The script cannot be read.");
+}
+
+TEST(DeviceText, a_driver_that_does_not_come_back_is_named_as_such_for_each_device) {
+  for (const DeviceKind& kind : device_kinds()) {
+    const SessionFailure failure{.code = SessionError::device, .where = "Novint Falcon", .detail = std::string(kStandsStill), .cause = PortError::io};
+    const Message still = describe_on_device(failure, kind.key);
+    EXPECT_EQ(still.what, "The driver of the device stands still.") << kind.key;
+    EXPECT_TRUE(still.more.contains(QStringLiteral("Novint Falcon"))) << still.more.toStdString();
+  }
 }
 
 TEST(DeviceText, a_device_that_an_exercise_does_not_admit_is_named_with_the_way_to_another) {

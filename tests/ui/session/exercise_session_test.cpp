@@ -224,6 +224,25 @@ TEST(ExerciseSession, WhoseDriverStandsStillIsInterruptedAndEndsWithoutIt) {
   EXPECT_TRUE(eventually([&] { return device.expired(); }));
 }
 
+TEST(ExerciseSession, OfWhichNothingIsKeptNamesADriverThatStandsStill) {
+  const Workplace work;
+  SessionPlan plan = work.plan();
+  plan.database.clear();
+  plan.kind = SessionKind::try_it;
+  const auto stuck = std::make_shared<std::atomic<bool>>(false);
+  auto started = ExerciseSession::start(plan, std::make_shared<StickingPort>(stuck));
+  ASSERT_TRUE(started);
+  ASSERT_TRUE(eventually([&] { return (*started)->view().seconds > 0; }));
+  *stuck = true;
+  ASSERT_TRUE(eventually([&] { return (*started)->view().silent; }));
+  const auto result = (*started)->finish();
+  *stuck = false;
+  stuck->notify_all();
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, SessionError::device);
+  EXPECT_EQ(result.error().detail, kStandsStill);
+}
+
 TEST(ExerciseSession, WhoseDriverDoesNotOpenIsCalledOffWithoutIt) {
   const Workplace work;
   const auto gate = std::make_shared<Gate>();
