@@ -17,6 +17,7 @@
 #include "device/falcon/weighing.h"
 #include "ui/device/falcon_now.h"
 #include "ui/device/homing_view.h"
+#include "ui/device/kept_band.h"
 #include "ui/device/panel_card.h"
 #include "ui/device/rights_row.h"
 #include "ui/device/self_test_report.h"
@@ -40,18 +41,6 @@ void set_text_if_new(QLabel* label, const QString& text) {
 
 /// The body that an emulated one stands for on this page.
 falcon::EmulatedBodySettings usual_body() { return {}; }
-
-QString way_text(int step) {
-  switch (static_cast<falcon::ForceWay>(step)) {
-    case falcon::ForceWay::right: return FalconText::tr("It pushes to the right");
-    case falcon::ForceWay::left: return FalconText::tr("It pushes to the left");
-    case falcon::ForceWay::up: return FalconText::tr("It pushes up");
-    case falcon::ForceWay::down: return FalconText::tr("It pushes down");
-    case falcon::ForceWay::to_user: return FalconText::tr("It pushes towards you");
-    case falcon::ForceWay::away: return FalconText::tr("It pushes away from you");
-  }
-  return {};
-}
 
 }  // namespace
 
@@ -77,6 +66,7 @@ struct FalconPanel::Inner {
   FalconNow* now;
   Card* trim_card;
   TrimForm* trim;
+  KeptBand* unkept;
   QLabel *step, *outcome, *measured;
   QProgressBar* progress;
   QPushButton *force, *self_test, *weigh, *stop, *save;
@@ -96,6 +86,7 @@ FalconPanel::FalconPanel(DeviceSettings& settings, Ports ports, Role role, QWidg
 
   make_live(column);
   make_tests(column);
+  column->addWidget(in.unkept = new KeptBand(settings.file()));  // of tests and trim: between them
   make_trim(column);
   in.self_test->setVisible(in.staff);
   in.weigh->setVisible(in.staff);
@@ -174,7 +165,7 @@ void FalconPanel::make_trim(QVBoxLayout* column) {
   connect(in.trim, &TrimForm::changed, this, [this](const FalconTrim& trim) {
     FalconProfile profile = inner_->settings.profile(inner_->name);
     put_trim(trim, profile);
-    inner_->settings.set_profile(inner_->name, profile);
+    inner_->unkept->show_kept(inner_->settings.set_profile(inner_->name, profile));
     if (inner_->bench) inner_->bench->set_force_gain(trim.force_gain);
     show_measured();
   });
@@ -267,7 +258,7 @@ void FalconPanel::look() {
   if (!tests) return;
   QString step;
   switch (in.running) {
-    case Inner::Running::force: step = way_text(v.trial_step); break;
+    case Inner::Running::force: step = way_text(static_cast<falcon::ForceWay>(v.trial_step)); break;
     case Inner::Running::self_test: step = tr("Measuring, direction %1 of 3. Keep your hand off.").arg(v.trial_step + 1); break;
     case Inner::Running::weighing:
       step = tr("Weighing, place %1 of %2. Keep your hand off.").arg(std::min(v.trial_step + 1, +falcon::Weighing::kPlaces)).arg(+falcon::Weighing::kPlaces);
@@ -329,7 +320,7 @@ void FalconPanel::trial_over() {
       const QString kilos = format({weight->grip_kg * 1e3, {}, QStringLiteral("g"), 0});
       in.outcome->setText(real ? tr("The grip weighs %1. From the next attempt on it carries itself.").arg(kilos)
                                : tr("The grip weighs %1. Nothing is kept of an emulated one.").arg(kilos));
-      if (real) in.settings.set_profile(in.name, profile);
+      if (real) in.unkept->show_kept(in.settings.set_profile(in.name, profile));
     }
   } else {
     in.found = dynamic_cast<const falcon::SelfTest&>(*trial).result();
@@ -358,7 +349,7 @@ void FalconPanel::self_test_over() {
                         (in.kind == "falcon" ? QString() : u' ' + tr("The figures of an emulated one are not kept.")));
     if (in.kind == "falcon") {
       in.settings.set_profile(in.name, profile);
-      in.settings.set_tested_at(in.name, in.ports.now());
+      in.unkept->show_kept(in.settings.set_tested_at(in.name, in.ports.now()));  // the profile's, too
     }
   }
   in.save->show();

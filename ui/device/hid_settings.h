@@ -1,4 +1,4 @@
-/// What this station knows of its pedal, its SpaceMouse and its Inverse3. In the same file as Settings. GUI thread.
+/// What this station knows of its pedal and its SpaceMouse. In the same file as Settings. GUI thread.
 #pragma once
 
 #include <QSettings>
@@ -12,11 +12,13 @@ class HidSettings {
  public:
   /// `file` as Settings::file(); empty: the user's own.
   explicit HidSettings(const QString& file = {});
+  QString file() const { return store_.fileName(); }
 
   hid::PedalSettings pedal() const;
-  void set_pedal(const hid::PedalSettings& settings);
+  /// False: the file cannot be written, and the settings end with the program.
+  bool set_pedal(const hid::PedalSettings& settings);
   hid::SpaceMouseSettings space_mouse() const;
-  void set_space_mouse(const hid::SpaceMouseSettings& settings);
+  bool set_space_mouse(const hid::SpaceMouseSettings& settings);
 
  private:
   QSettings store_;

@@ -15,6 +15,7 @@
 #include <numbers>
 #include <optional>
 
+#include "ui/device/kept_band.h"
 #include "ui/device/panel_card.h"
 #include "ui/session/background_task.h"
 #include "ui/settings/device_settings.h"
@@ -67,9 +68,10 @@ struct InversePanel::Inner {
   QComboBox* turned;
   NumberField *scale, *service;
   QWidget* values;
+  KeptBand* unkept = nullptr;  // none where nothing is kept
 
   void keep() {
-    if (kept) kept->set_inverse(settings);
+    if (kept) unkept->show_kept(kept->set_inverse(settings));
   }
 };
 
@@ -101,6 +103,7 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
   make_values(column);
   make_fields(column);
   make_acts(column);
+  if (in.kept) column->addWidget(in.unkept = new KeptBand(in.kept->file()));
   connect_all();
   in.timer.setInterval(kInverseRefreshMs);
   connect(&in.timer, &QTimer::timeout, this, &InversePanel::look);

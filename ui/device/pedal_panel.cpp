@@ -14,6 +14,7 @@
 #include "device/hid/pedal_finder.h"
 #include "device/hid/permissions.h"
 #include "ui/device/hid_settings.h"
+#include "ui/device/kept_band.h"
 #include "ui/device/panel_card.h"
 #include "ui/device/pedal_text.h"
 #include "ui/device/rights_row.h"
@@ -34,15 +35,6 @@ constexpr int kTeachMs = 20;  // while a foot is watched
 constexpr double kFull = 65535.0;
 
 QString percent_of(double share) { return format({100.0 * share, {}, QStringLiteral("%"), 0}); }
-
-hid::ControlKind kind_of(const std::vector<hid::Control>& controls, hid::ControlId id) {
-  for (const hid::Control& control : controls) {
-    if (control.id == id) return control.kind;
-  }
-  return id.page == hid::usage::kKeyPage      ? hid::ControlKind::key
-         : id.page == hid::usage::kButtonPage ? hid::ControlKind::button
-                                              : hid::ControlKind::axis;
-}
 
 }  // namespace
 
@@ -70,9 +62,10 @@ struct PedalPanel::Inner {
   QPushButton *teach, *teach_coolant, *no_coolant, *next, *cancel;
   NumberField* dead_zone;
   QWidget *dead_row, *lesson_box;
+  KeptBand* unkept = nullptr;  // none where nothing is kept
 
   void keep() {
-    if (kept) kept->set_pedal(settings);
+    if (kept) unkept->show_kept(kept->set_pedal(settings));
     reader.set_settings(settings);
   }
 };
@@ -99,6 +92,7 @@ PedalPanel::PedalPanel(hid::PedalReader& reader, Settings* settings, QWidget* pa
 
   make_controls(column);
   make_lesson(column);
+  if (in.kept) column->addWidget(in.unkept = new KeptBand(in.kept->file()));
   connect_lesson();
   connect_settings();
   connect_device();
@@ -288,12 +282,12 @@ void PedalPanel::look() {
   in.use->setChecked(in.settings.on);
   in.dead_zone->show_value(std::round(100 * in.settings.calibration.dead_zone()));
   const bool chosen = in.settings.drill && *in.settings.drill != hid::ControlId{};
-  const auto kind = chosen ? kind_of(view.controls, *in.settings.drill) : hid::ControlKind::button;
+  const auto kind = chosen ? control_kind(*in.settings.drill, view.controls) : hid::ControlKind::button;
   in.drills->setText(chosen               ? control_name(*in.settings.drill, kind)
                      : in.settings.drill ? tr("Nothing yet: calibrate it")
                                          : tr("Any switch of it"));
   set_ink(in.drills, in.settings.drill && !chosen ? "look" : "");
-  in.coolant->setText(in.settings.coolant ? control_name(*in.settings.coolant, kind_of(view.controls, *in.settings.coolant))
+  in.coolant->setText(in.settings.coolant ? control_name(*in.settings.coolant, control_kind(*in.settings.coolant, view.controls))
                                           : tr("None"));
   in.no_coolant->setVisible(in.settings.coolant.has_value());
   in.dead_row->setVisible(chosen && kind == hid::ControlKind::axis);

@@ -54,6 +54,15 @@ QString control_name(hid::ControlId id, hid::ControlKind kind) {
 
 QString control_name(const hid::Control& control) { return control_name(control.id, control.kind); }
 
+hid::ControlKind control_kind(hid::ControlId id, const std::vector<hid::Control>& controls) {
+  for (const hid::Control& control : controls) {
+    if (control.id == id) return control.kind;
+  }
+  return id.page == hid::usage::kKeyPage      ? hid::ControlKind::key
+         : id.page == hid::usage::kButtonPage ? hid::ControlKind::button
+                                              : hid::ControlKind::axis;
+}
+
 QString hid_name(const hid::HidDevice& device) {
   const QString name = QString::fromStdString(device.name).trimmed();
   if (!name.isEmpty()) return isolate(name);

@@ -15,6 +15,7 @@
 
 #include "device/hid/permissions.h"
 #include "ui/device/hid_settings.h"
+#include "ui/device/kept_band.h"
 #include "ui/device/panel_card.h"
 #include "ui/device/pedal_text.h"
 #include "ui/device/rights_row.h"
@@ -59,9 +60,10 @@ struct SpaceMousePanel::Inner {
   NumberField* dead_zone;
   QLabel *speed_text, *battery, *rest_note;
   QPushButton* rest;
+  KeptBand* unkept = nullptr;  // none where nothing is kept
 
   void keep() {
-    if (kept) kept->set_space_mouse(settings);
+    if (kept) unkept->show_kept(kept->set_space_mouse(settings));
     reader.set_settings(settings);
   }
 };
@@ -85,6 +87,7 @@ SpaceMousePanel::SpaceMousePanel(hid::SpaceMouseReader& reader, Settings* settin
   make_axes(column);
   make_settings(column);
   make_rest(column);
+  if (in.kept) column->addWidget(in.unkept = new KeptBand(in.kept->file()));
   connect_settings();
   connect_rest();
   in.timer.setInterval(kSpaceMouseRefreshMs);

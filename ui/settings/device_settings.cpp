@@ -3,12 +3,13 @@
 #include <QUrl>
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
+#include <vector>
 
 #include "device/catalogue.h"
 #include "ui/modules.h"
 #include "ui/settings/settings.h"
+#include "ui/settings/write_settings.h"
 
 namespace cusp::ui {
 namespace {
@@ -17,19 +18,6 @@ namespace {
 QString group(const std::string& name, const char* key) {
   const QString safe = QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(name)));
   return QStringLiteral("falcon-%1/%2").arg(safe, QString::fromLatin1(key));
-}
-
-struct Entry {
-  const char* key;
-  std::string value;
-};
-
-/// Every object of the program with this file reads them at once. False: the file itself cannot be written.
-bool write_now(const QString& file, std::initializer_list<Entry> entries) {
-  QSettings fresh(file, QSettings::IniFormat);  // its status is of this write alone
-  for (const Entry& entry : entries) fresh.setValue(QString::fromLatin1(entry.key), QString::fromStdString(entry.value));
-  fresh.sync();
-  return fresh.status() != QSettings::AccessError;
 }
 
 }  // namespace
@@ -52,7 +40,7 @@ DeviceChoice DeviceSettings::choice_of(const std::string& kind, const std::strin
 }
 
 bool DeviceSettings::choose(const std::string& kind, const std::string& name) {
-  return write_now(file(), {{"device/kind", kind}, {"device/name", name}});
+  return write_settings(file(), {{u"device/kind"_qs, QString::fromStdString(kind)}, {u"device/name"_qs, QString::fromStdString(name)}});
 }
 
 InverseSettings DeviceSettings::inverse() const {
@@ -67,10 +55,10 @@ InverseSettings DeviceSettings::inverse() const {
   return out;
 }
 
-void DeviceSettings::set_inverse(const InverseSettings& settings) {
-  store_.setValue("inverse/port", settings.service.port);
-  store_.setValue("inverse/turned_deg", static_cast<int>(std::lround(settings.yaw_rad * 180.0 / std::numbers::pi)));
-  store_.setValue("inverse/scale_percent", static_cast<int>(std::lround(100 * settings.scale)));
+bool DeviceSettings::set_inverse(const InverseSettings& settings) {
+  return write_settings(file(), {{u"inverse/port"_qs, settings.service.port},
+                                 {u"inverse/turned_deg"_qs, static_cast<int>(std::lround(settings.yaw_rad * 180.0 / std::numbers::pi))},
+                                 {u"inverse/scale_percent"_qs, static_cast<int>(std::lround(100 * settings.scale))}});
 }
 
 FirmwareChoice DeviceSettings::firmware() const {
@@ -79,7 +67,8 @@ FirmwareChoice DeviceSettings::firmware() const {
 }
 
 bool DeviceSettings::set_firmware(const FirmwareChoice& firmware) {
-  return write_now(file(), {{"firmware/file", firmware.file.string()}, {"firmware/sha256", firmware.sha256}});
+  return write_settings(file(), {{u"firmware/file"_qs, QString::fromStdString(firmware.file.string())},
+                                 {u"firmware/sha256"_qs, QString::fromStdString(firmware.sha256)}});
 }
 
 FalconProfile DeviceSettings::profile(const std::string& name) const {
@@ -106,13 +95,10 @@ FalconProfile DeviceSettings::profile(const std::string& name) const {
   return out;
 }
 
-void DeviceSettings::set_profile(const std::string& name, const FalconProfile& profile) {
+bool DeviceSettings::set_profile(const std::string& name, const FalconProfile& profile) {
+  std::vector<SettingsEntry> entries;
   const auto keep = [&](const char* key, std::optional<double> value) {
-    if (value) {
-      store_.setValue(group(name, key), *value);
-    } else {
-      store_.remove(group(name, key));
-    }
+    entries.push_back({group(name, key), value ? QVariant(*value) : QVariant()});
   };
   keep("trim_top_rad", profile.calibration.trim_rad.x);
   keep("trim_right_rad", profile.calibration.trim_rad.y);
@@ -130,6 +116,7 @@ void DeviceSettings::set_profile(const std::string& name, const FalconProfile& p
   keep("friction_n", profile.friction_n);
   keep("moving_kg", profile.moving_kg);
   keep("encoder_mm", profile.encoder_mm);
+  return write_settings(file(), entries);
 }
 
 std::optional<QDateTime> DeviceSettings::tested_at(const std::string& name) const {
@@ -137,8 +124,8 @@ std::optional<QDateTime> DeviceSettings::tested_at(const std::string& name) cons
   return when.isValid() ? std::optional(when) : std::nullopt;
 }
 
-void DeviceSettings::set_tested_at(const std::string& name, const QDateTime& when) {
-  store_.setValue(group(name, "tested_at"), when.toUTC().toString(Qt::ISODate));
+bool DeviceSettings::set_tested_at(const std::string& name, const QDateTime& when) {
+  return write_settings(file(), {{group(name, "tested_at"), when.toUTC().toString(Qt::ISODate)}});
 }
 
 }  // namespace cusp::ui

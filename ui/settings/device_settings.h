@@ -24,17 +24,17 @@ class DeviceSettings {
   DeviceChoice choice_of(const std::string& kind, const std::string& name) const;
 
   InverseSettings inverse() const;
-  void set_inverse(const InverseSettings& settings);
+  /// False: as of choose(); so for the others.
+  bool set_inverse(const InverseSettings& settings);
 
   FirmwareChoice firmware() const;
-  /// False: as of choose().
   bool set_firmware(const FirmwareChoice& firmware);
 
   FalconProfile profile(const std::string& name) const;
-  void set_profile(const std::string& name, const FalconProfile& profile);
+  bool set_profile(const std::string& name, const FalconProfile& profile);
   /// When the self-test of that Falcon was last taken over.
   std::optional<QDateTime> tested_at(const std::string& name) const;
-  void set_tested_at(const std::string& name, const QDateTime& when);
+  bool set_tested_at(const std::string& name, const QDateTime& when);
 
  private:
   QSettings store_;

@@ -4,6 +4,8 @@
 #include <QStandardPaths>
 #include <algorithm>
 
+#include "ui/settings/write_settings.h"
+
 namespace cusp::ui {
 namespace {
 
@@ -58,12 +60,7 @@ std::filesystem::path Settings::backup_folder(const std::filesystem::path& datab
 bool Settings::set_backup_folder(const QString& folder) { return keep(u"records/backup_folder"_qs, folder); }
 QString Settings::station_name(const QString& station) const { return store_.value("stations/" + station).toString(); }
 bool Settings::set_station_name(const QString& station, const QString& name) { return keep("stations/" + station, name.trimmed()); }
-bool Settings::keep(const QString& key, const QVariant& value) {
-  QSettings fresh(store_.fileName(), QSettings::IniFormat);  // its status is of this write alone
-  fresh.setValue(key, value);
-  fresh.sync();
-  return fresh.status() != QSettings::AccessError;
-}
+bool Settings::keep(const QString& key, const QVariant& value) { return write_settings(file(), {{key, value}}); }
 QByteArray Settings::window() const { return store_.value("window/geometry").toByteArray(); }
 void Settings::set_window(const QByteArray& geometry) { store_.setValue("window/geometry", geometry); }
 

@@ -115,6 +115,18 @@ QString end_text(TrialEnd end) {
   return {};
 }
 
+QString way_text(falcon::ForceWay way) {
+  switch (way) {
+    case falcon::ForceWay::right: return FalconText::tr("It pushes to the right");
+    case falcon::ForceWay::left: return FalconText::tr("It pushes to the left");
+    case falcon::ForceWay::up: return FalconText::tr("It pushes up");
+    case falcon::ForceWay::down: return FalconText::tr("It pushes down");
+    case falcon::ForceWay::to_user: return FalconText::tr("It pushes towards you");
+    case falcon::ForceWay::away: return FalconText::tr("It pushes away from you");
+  }
+  return {};
+}
+
 QString measured_text(const falcon::SelfTestResult& found, double stiffness_before, double stiffness_now) {
   const auto stiffness = [](double value) { return format({value, {}, QStringLiteral("N/mm"), 2}); };
   return FalconText::tr("Damping %1, friction %2, delay %3, step %4. Exercises may be as stiff as %5 (before: %6).")

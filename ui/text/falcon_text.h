@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include "device/falcon/force_test.h"
 #include "device/falcon/self_test.h"
 #include "device/falcon/session.h"
 #include "ui/modules.h"
@@ -27,6 +28,8 @@ Message describe_falcon(const PortFailure& failure);
 Message describe_image(const falcon::ImageFailure& failure);
 /// Why a test is over; empty while it is not, and when it was done.
 QString end_text(falcon::TrialEnd end);
+/// Which way the force test pushes the grip now.
+QString way_text(falcon::ForceWay way);
 /// What a self-test found, and how stiff exercises may be, in N/mm. Pre: damping and delay were found.
 QString measured_text(const falcon::SelfTestResult& found, double stiffness_before, double stiffness_now);
 

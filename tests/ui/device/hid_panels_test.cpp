@@ -6,12 +6,14 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSlider>
 #include <QTemporaryDir>
 #include <numbers>
 
 #include "tests/device/hid/desk.h"
 #include "tests/modules.h"
 #include "tests/ui/device/eventually.h"
+#include "tests/ui/device/unwritable_settings.h"
 #include "ui/settings/settings.h"
 #include "ui/device/hid_settings.h"
 #include "ui/device/pedal_panel.h"
@@ -244,6 +246,29 @@ TEST_F(Panels, a_space_mouse_takes_its_rest_only_from_a_hand_that_is_off) {
   button(panel, "Hand is off: take this as rest")->click();
   EXPECT_EQ(HidSettings(settings.file()).space_mouse().rest[0], 12);
   EXPECT_EQ(reader.settings().rest[1], -3);
+}
+
+TEST_F(Panels, what_no_file_takes_of_a_pedal_holds_until_the_program_ends_and_is_reported) {
+  Settings lost(unwritable_settings(folder));
+  for (Settings* over : {&settings, &lost}) {
+    hid::PedalReader reader(bus_of(desk));
+    PedalPanel panel(reader, over);
+    EXPECT_EQ(band_text(panel), QString());
+    panel.findChild<QCheckBox*>()->click();
+    EXPECT_EQ(band_text(panel).startsWith(kUnkept), over == &lost) << band_text(panel).toStdString();
+    EXPECT_EQ(HidSettings(over->file()).pedal(), reader.settings());
+  }
+}
+
+TEST_F(Panels, what_no_file_takes_of_a_space_mouse_is_reported) {
+  Settings lost(unwritable_settings(folder));
+  for (Settings* over : {&settings, &lost}) {
+    hid::SpaceMouseReader reader(bus_of(desk));
+    SpaceMousePanel panel(reader, over);
+    panel.findChild<QSlider*>()->setValue(250);
+    EXPECT_EQ(band_text(panel).startsWith(kUnkept), over == &lost) << band_text(panel).toStdString();
+    EXPECT_DOUBLE_EQ(HidSettings(over->file()).space_mouse().speed, 2.5);
+  }
 }
 
 TEST(SpaceMouseLeads, a_full_turn_of_the_cap_is_a_quarter_turn_a_second) {

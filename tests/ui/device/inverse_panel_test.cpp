@@ -14,6 +14,7 @@
 
 #include "tests/device/inverse/fake_service.h"
 #include "tests/ui/device/eventually.h"
+#include "tests/ui/device/unwritable_settings.h"
 #include "tests/ui/session/gate.h"
 #include "ui/settings/device_settings.h"
 #include "ui/settings/settings.h"
@@ -184,6 +185,16 @@ TEST_F(InversePanelTest, how_it_stands_is_kept_and_rubbish_is_the_usual) {
   EXPECT_EQ(usual.service.port, 10001);
   EXPECT_EQ(usual.yaw_rad, 0.0);
   EXPECT_EQ(usual.scale, 0.5);
+}
+
+TEST_F(InversePanelTest, how_it_stands_is_reported_where_no_file_takes_it) {
+  Settings lost(unwritable_settings(folder));
+  for (Settings* over : {&settings, &lost}) {
+    InversePanel panel(over);
+    panel.findChild<QComboBox*>()->setCurrentIndex(3);
+    EXPECT_EQ(band_text(panel).startsWith(kUnkept), over == &lost) << band_text(panel).toStdString();
+    EXPECT_DOUBLE_EQ(DeviceSettings(over->file()).inverse().yaw_rad, 1.5 * std::numbers::pi);
+  }
 }
 
 }  // namespace

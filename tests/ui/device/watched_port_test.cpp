@@ -3,15 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QFile>
 #include <QRadioButton>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "device/catalogue.h"
 #include "tests/modules.h"
+#include "tests/ui/device/unwritable_settings.h"
 #include "ui/device/device_page.h"
+#include "ui/device/falcon_panel.h"
 #include "ui/device/inverse_panel.h"
+#include "ui/device/trim_form.h"
 #include "ui/settings/device_settings.h"
 #include "ui/settings/settings.h"
 #include "ui/widgets/number_field.h"
@@ -91,14 +93,26 @@ QString band_after_choice(Settings& settings) {
 
 TEST(DevicePage, a_choice_that_the_next_start_does_not_know_holds_until_the_program_ends_and_is_reported) {
   const QTemporaryDir folder;
-  QFile file(folder.filePath(QStringLiteral("a file")));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  Settings lost(folder.filePath(QStringLiteral("a file/Cusp.ini")));  // root may write a read-only folder, and nobody this one
+  Settings lost(unwritable_settings(folder));
   EXPECT_TRUE(band_after_choice(lost).startsWith(QStringLiteral("The device holds until Cusp is closed.")));
   EXPECT_EQ(DeviceSettings(lost.file()).choice().kind, "emulated-falcon");
   Settings kept(folder.filePath(QStringLiteral("Cusp.ini")));
   EXPECT_EQ(band_after_choice(kept), QString());
   EXPECT_EQ(DeviceSettings(kept.file()).choice().kind, "emulated-falcon");
+}
+
+TEST(DevicePage, a_trim_that_no_file_takes_holds_until_the_program_ends_and_is_reported) {
+  const QTemporaryDir folder;
+  Settings kept(folder.filePath(QStringLiteral("Cusp.ini"))), lost(unwritable_settings(folder));
+  for (Settings* over : {&kept, &lost}) {
+    DeviceSettings(over->file()).choose("falcon", "FT000001");
+    const bool plugged = true;
+    DevicePage page(*over, Ports::of_the_system(), Role::instructor, nullptr, [&plugged] { return std::make_unique<LateWatch>(plugged); });
+    EXPECT_EQ(band_text(*page.falcon()), QString());
+    page.findChild<TrimForm*>()->findChildren<NumberField*>().at(3)->setValue(80);  // of the hand's way
+    EXPECT_EQ(band_text(*page.falcon()).startsWith(kUnkept), over == &lost) << band_text(*page.falcon()).toStdString();
+    EXPECT_DOUBLE_EQ(DeviceSettings(over->file()).profile("FT000001").scale, 0.8);
+  }
 }
 
 }  // namespace
