@@ -208,8 +208,8 @@ void Desktop::closeEvent(QCloseEvent* event) {
   // A shutdown of the computer does not wait for an answer.
   for (DrillScreen* screen : ended_by_signal() ? QList<DrillScreen*>() : findChildren<DrillScreen*>()) {
     if (!screen->running()) continue;
-    screen->ask_leave();
-    if (screen->running()) return event->ignore();
+    screen->ask_leave_then([this] { close(); });
+    return event->ignore();
   }
   if (asks_before_closing()) return event->ignore();
   if (closes_anyway_ || ended_by_signal()) keep_drafts(*this);  // asks_before_closing() did, if nothing was asked

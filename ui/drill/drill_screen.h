@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -35,6 +36,8 @@ class DrillScreen : public QWidget {
   /// device that was chosen. Pre: no attempt is running.
   void begin(SessionPlan plan, const DrillText& text, std::unique_ptr<HapticPort> port = nullptr);
   bool running() const;
+  /// As ask_leave(), and calls `then` after left(). Not if the user stays, if the attempt is finished meanwhile, or while it is graded.
+  void ask_leave_then(std::function<void()> then);
   class ToothView* view() const;
   /// Where the drilling sound's volume and mute are kept, and whether the handpiece is drawn and in which hand; outlives the screen. Without: the usual
   /// ones, not kept.

@@ -130,10 +130,14 @@ void DrillScreen::abandoned(const std::optional<SessionId>& unmarked) {
   in.busy->finish();
   in.attempt->session.reset();
   if (unmarked) Q_EMIT left_unmarked(*unmarked);
+  const auto then = std::exchange(in.after_leaving, nullptr);
   Q_EMIT left();
+  if (then) then();
 }
 
-void DrillScreen::ask_leave() {
+void DrillScreen::ask_leave() { ask_leave_then({}); }
+
+void DrillScreen::ask_leave_then(std::function<void()> then) {
   Inner& in = *inner_;
   if (in.opening) in.opening->call_off();
   if (in.working && !in.unseen) return;
@@ -141,13 +145,15 @@ void DrillScreen::ask_leave() {
     Q_EMIT left();
     return;
   }
-  const auto leave = [self = QPointer(this)](bool yes) {
+  const auto leave = [self = QPointer(this), then = std::move(then)](bool yes) {
     if (!self || !self->running()) return;
     Inner& inner = *self->inner_;
     inner.stage->set_asking(false);
     inner.asked = false;
     if (inner.working && !inner.unseen) return;  // the time limit has finished it meanwhile
-    yes ? self->leave_now() : self->answered_no();
+    if (!yes) return self->answered_no();
+    inner.after_leaving = then;
+    self->leave_now();
   };
   double removed = 0;
   const LiveView now = in.attempt->session->view();

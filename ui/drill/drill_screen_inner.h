@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <thread>
 
@@ -46,6 +47,7 @@ struct DrillScreen::Inner {
   FrameStats stats;
   LiveView live;
   int looks = 0;
+  std::function<void()> after_leaving;  // of ask_leave_then(); empty: nothing
   bool working = false, over = false;
   bool asked = false;   // Finish's or Leave's question is open
   bool stood = false;   // before that question, or its device was lost meanwhile: nothing but Resume starts it

@@ -57,6 +57,9 @@ struct LeftAssessment : ::testing::Test {
   bool leaves() {
     return QTest::qWaitFor([&] { return desktop->page() == desktop->shell(); }, kDrillingMs);
   }
+  bool closes() {
+    return QTest::qWaitFor([&] { return !desktop->isVisible(); }, kDrillingMs);
+  }
   bool shows(const QString& part) const {
     for (const QLabel* label : desktop->page()->findChildren<QLabel*>())
       if (label->text().contains(part)) return true;
@@ -127,14 +130,27 @@ TEST_F(LeftAssessment, is_not_ended_by_closing_the_window_which_asks_for_the_cod
   EXPECT_EQ(asked[0].code, QStringLiteral("4711"));
   EXPECT_TRUE(screen()->running());
   answer(true);
+  EXPECT_TRUE(closes()) << "who leaves it has asked for that";
+  EXPECT_EQ(asked.size(), 1u);
+  EXPECT_EQ(state_of(records.store().history.list(lena.actor())->front().session), SessionState::interrupted);
+}
+
+TEST_F(LeftAssessment, is_left_later_without_its_window_if_the_question_at_closing_was_cancelled) {
+  sit();
+  EXPECT_FALSE(desktop->close());
+  answer(false);
+  EXPECT_TRUE(screen()->running());
+  screen()->ask_leave();
+  answer(true);
   EXPECT_TRUE(leaves());
-  EXPECT_TRUE(desktop->close());
+  EXPECT_TRUE(desktop->isVisible());
 }
 
 TEST_F(LeftAssessment, is_unlike_a_practice_with_nothing_cut_which_ends_with_its_window) {
   desktop->drill(exercise);
   ASSERT_TRUE(drills());
-  EXPECT_TRUE(desktop->close());
+  desktop->close();
+  EXPECT_TRUE(closes());
   EXPECT_TRUE(asked.empty());
 }
 
