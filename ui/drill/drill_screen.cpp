@@ -352,8 +352,17 @@ void DrillScreen::toggle_pause() {
   }
 }
 
+/// A shortcut that is held acts once: else a key held too long would pause and resume in turn.
+bool DrillScreen::event(QEvent* event) {
+  if (event->type() != QEvent::ShortcutOverride || !static_cast<QKeyEvent*>(event)->isAutoRepeat()) return QWidget::event(event);
+  event->accept();  // it comes as a key press, which does nothing
+  return true;
+}
+
 void DrillScreen::keyPressEvent(QKeyEvent* event) {
   Inner& in = *inner_;
+  const bool is_tool = event->key() >= Qt::Key_1 && event->key() <= Qt::Key_6;
+  if (event->isAutoRepeat() && (is_tool || event->key() == Qt::Key_Escape)) return;
   if (event->key() == Qt::Key_Escape) return ask_leave();
   const bool arrow = event->key() >= Qt::Key_Left && event->key() <= Qt::Key_Down;  // with Ctrl it turns the handpiece
   if (in.input && !(event->modifiers() & (arrow ? Qt::KeyboardModifiers(Qt::AltModifier) : Qt::ControlModifier | Qt::AltModifier))) {

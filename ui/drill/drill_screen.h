@@ -62,6 +62,7 @@ class DrillScreen : public QWidget {
   void failed(SessionFailure failure);
 
  protected:
+  bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;

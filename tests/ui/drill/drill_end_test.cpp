@@ -108,6 +108,26 @@ TEST_F(DrillEnd, the_cutaway_opens_while_the_attempt_is_paused) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return screen->view()->scene().cutaway.has_value(); }, kComesWithinMs));
 }
 
+TEST_F(DrillEnd, a_key_that_is_held_too_long_acts_once) {
+  begin(plan());
+  const auto stays_down = [this](Qt::Key key) {
+    QTest::simulateEvent(screen.get(), true, key, Qt::NoModifier, QString(), true);
+    let_it_run();
+  };
+  QTest::keyPress(screen.get(), Qt::Key_P);
+  ASSERT_TRUE(wait_for_card("Paused"));
+  stays_down(Qt::Key_P);
+  EXPECT_TRUE(card_shows("Paused"));
+  EXPECT_EQ(hand->force_n, 0);
+  QTest::keyRelease(screen.get(), Qt::Key_P);
+  QTest::keyClick(screen.get(), Qt::Key_6);
+  const bool shown = screen->view()->scene().show_handpiece;
+  stays_down(Qt::Key_6);
+  EXPECT_EQ(screen->view()->scene().show_handpiece, shown);
+  stays_down(Qt::Key_Escape);
+  EXPECT_TRUE(asked.isEmpty());
+}
+
 TEST_F(DrillEnd, an_attempt_begins_while_work_that_was_left_goes_on) {
   auto gate = std::make_shared<test::Gate>();
   BackgroundTask([gate] { gate->pass(); });
