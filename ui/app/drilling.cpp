@@ -70,6 +70,7 @@ void Desktop::show_briefing(const Exercise& exercise) {
   briefing->show_uncounted(uncounted_text_of(*store_, student, exercise, device_class()));
   connect(briefing, &Briefing::back_wanted, this, &Desktop::back);
   connect(briefing, &Briefing::start_wanted, this, &Desktop::drill);
+  connect(briefing, &Briefing::reference_opened, this, &Desktop::lead_views);
   push(briefing);
 }
 

@@ -157,6 +157,7 @@ void Briefing::watch_reference() {
     page->deleteLater();
     watch_->setFocus();
   });
+  Q_EMIT reference_opened(page);
 }
 
 QWidget* Briefing::make_bar() {

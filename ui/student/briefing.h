@@ -32,6 +32,8 @@ class Briefing : public QWidget {
  Q_SIGNALS:
   void start_wanted(const Exercise& exercise);
   void back_wanted();
+  /// The reference lies over the briefing, with a view of its own.
+  void reference_opened(QWidget* page);
 
  private:
   QWidget* make_briefing();

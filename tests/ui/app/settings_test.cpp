@@ -4,15 +4,20 @@
 
 #include <QCheckBox>
 #include <QFile>
+#include <QPushButton>
 #include <QTemporaryDir>
 
 #include "device/hid/hid_station.h"
+#include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/app/desktop.h"
 #include "ui/app/shell.h"
 #include "ui/device/hid_settings.h"
+#include "ui/device/space_mouse_turner.h"
 #include "ui/settings/settings.h"
+#include "ui/student/briefing.h"
+#include "ui/student/start_page.h"
 
 namespace cusp::test {
 namespace {
@@ -73,6 +78,31 @@ TEST(SettingsTest, what_a_student_sets_on_pedal_and_space_mouse_ends_at_the_sign
   EXPECT_FALSE(station.pedal().settings().on);
   EXPECT_FALSE(station.space_mouse().settings().on);
   EXPECT_FALSE(HidSettings(settings.file()).pedal().on);
+}
+
+TEST(SpaceMouse, leads_the_view_of_the_ideal_preparation_too) {
+  test::DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt");
+  const QTemporaryDir folder;
+  Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
+  hid::HidStation station([] { return std::unique_ptr<hid::HidBus>(); });
+  Desktop desktop(settings, Ports::of_the_system(), records.file());
+  desktop.use_hid(station);
+  desktop.start();
+  desktop.show();
+  desktop.sign_in(lena);
+  Exercise exercise;
+  exercise.scenario = *load_builtin("channel-1");
+  exercise.scenario.specimen.voxel_mm = 0.4;  // so that it grows at once
+  auto* start = qobject_cast<StartPage*>(desktop.shell()->page());
+  ASSERT_NE(start, nullptr);
+  Q_EMIT start->briefing_wanted(exercise);
+  auto* briefing = qobject_cast<Briefing*>(desktop.page());
+  ASSERT_NE(briefing, nullptr);
+  EXPECT_EQ(briefing->findChild<SpaceMouseTurner*>(), nullptr);
+  ASSERT_NE(briefing->watch_button(), nullptr);
+  briefing->watch_button()->click();
+  EXPECT_NE(briefing->findChild<SpaceMouseTurner*>(), nullptr);
 }
 
 TEST(SettingsTest, the_database_is_where_the_option_or_the_environment_says) {
