@@ -70,6 +70,13 @@ struct FalconPanel::Inner {
   QLabel *step, *outcome, *measured;
   QProgressBar* progress;
   QPushButton *force, *self_test, *weigh, *stop, *save;
+  QPushButton* started = nullptr;  // began the newest test
+
+  void begin(Running test, QPushButton* button, std::unique_ptr<falcon::Trial> trial) {
+    if (!bench || !bench->start(std::move(trial))) return;
+    running = test;
+    started = button;
+  }
 };
 
 FalconPanel::FalconPanel(DeviceSettings& settings, Ports ports, Role role, QWidget* parent)
@@ -252,7 +259,11 @@ void FalconPanel::look() {
   in.force->setEnabled(may);
   in.self_test->setEnabled(may);
   in.weigh->setEnabled(may);
+  // Whoever feels a wrong force stops it with one key: elsewhere that key would press what happens to stand next.
+  const bool begins = tests && in.stop->isHidden(), ends = !tests && in.stop->hasFocus();
   in.stop->setVisible(tests);
+  if (begins) in.stop->setFocus();
+  if (ends && in.started != nullptr) in.started->setFocus();
   in.step->setVisible(tests);
   in.progress->setVisible(tests);
   if (!tests) return;
@@ -273,26 +284,24 @@ void FalconPanel::look() {
 void FalconPanel::start_force_test() {
   const Question question{tr("Hold the grip loosely"), tr("It pushes six ways, one after the other, up to %1. Releasing the grip switches it off.").arg(format({kFeelN, {}, QStringLiteral("N"), 1})), tr("Push")};
   inner_->ports.ask(this, question, [self = QPointer(this)](bool yes) {
-    if (!self || !yes || !self->inner_->bench) return;
-    if (self->inner_->bench->start(std::make_unique<falcon::ForceTest>(kFeelN))) self->inner_->running = Inner::Running::force;
+    if (self && yes) self->inner_->begin(Inner::Running::force, self->inner_->force, std::make_unique<falcon::ForceTest>(kFeelN));
   });
 }
 
 void FalconPanel::start_self_test() {
   const Question question{tr("Release the grip"), tr("For half a minute it moves by itself, a centimetre each way. Nobody may touch it, and nothing may stand in its way."), tr("Measure")};
   inner_->ports.ask(this, question, [self = QPointer(this)](bool yes) {
-    if (!self || !yes || !self->inner_->bench) return;
-    if (self->inner_->bench->start(std::make_unique<falcon::SelfTest>())) self->inner_->running = Inner::Running::self_test;
+    if (self && yes) self->inner_->begin(Inner::Running::self_test, self->inner_->self_test, std::make_unique<falcon::SelfTest>());
   });
 }
 
 void FalconPanel::start_weighing() {
   const Question question{tr("Stand it upright and release the grip"), tr("It holds the grip at nine places, for half a minute. From then on it carries its own weight."), tr("Weigh")};
   inner_->ports.ask(this, question, [self = QPointer(this)](bool yes) {
-    if (!self || !yes || !self->inner_->bench) return;
-    const FalconSettings driver = settings_for(self->inner_->settings.profile(self->inner_->name));
-    if (self->inner_->bench->start(std::make_unique<falcon::Weighing>(driver.geometry, driver.calibration)))
-      self->inner_->running = Inner::Running::weighing;
+    if (!self || !yes) return;
+    Inner& inner = *self->inner_;
+    const FalconSettings driver = settings_for(inner.settings.profile(inner.name));
+    inner.begin(Inner::Running::weighing, inner.weigh, std::make_unique<falcon::Weighing>(driver.geometry, driver.calibration));
   });
 }
 

@@ -1,14 +1,16 @@
-// What the device page looks at: the port of the Inverse3's service, and what comes while the keyboard is in its list; and what it reports
-// of a choice that no file takes.
+// What the device page looks at: the port of the Inverse3's service, and what comes while the keyboard is in its list; what it reports
+// of a choice that no file takes; and the key that stops a test.
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QPushButton>
 #include <QRadioButton>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "device/catalogue.h"
 #include "tests/modules.h"
+#include "tests/ui/device/eventually.h"
 #include "tests/ui/device/unwritable_settings.h"
 #include "ui/device/device_page.h"
 #include "ui/device/falcon_panel.h"
@@ -113,6 +115,38 @@ TEST(DevicePage, a_trim_that_no_file_takes_holds_until_the_program_ends_and_is_r
     EXPECT_EQ(band_text(*page.falcon()).startsWith(kUnkept), over == &lost) << band_text(*page.falcon()).toStdString();
     EXPECT_DOUBLE_EQ(DeviceSettings(over->file()).profile("FT000001").scale, 0.8);
   }
+}
+
+TEST(DevicePage, stop_has_the_keyboard_while_the_grip_pushes_and_gives_it_back) {
+  const QTemporaryDir folder;
+  Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
+  DeviceSettings(settings.file()).choose("emulated-falcon", {});
+  Ports ports = Ports::of_the_system();
+  ports.ask = [](QWidget*, const Question&, const std::function<void(bool)>& then) { then(true); };
+  DevicePage page(settings, ports, Role::student, nullptr, [] { return std::make_unique<EmptyWatch>(); });
+  page.show();
+  page.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+  FalconPanel& panel = *page.falcon();
+  const auto button = [&panel](const QString& text) -> QPushButton* {
+    for (QPushButton* one : panel.findChildren<QPushButton*>())
+      if (one->text().trimmed() == text) return one;
+    return nullptr;
+  };
+  QPushButton *force = button(QStringLiteral("Feel the force")), *stop = button(QStringLiteral("Stop"));
+  ASSERT_TRUE(force != nullptr && stop != nullptr);
+  const auto is_ready = [&] {
+    panel.look();
+    return force->isEnabled();
+  };
+  ASSERT_TRUE(eventually(is_ready));
+  force->setFocus();
+  force->click();
+  panel.look();
+  EXPECT_EQ(QApplication::focusWidget(), stop);
+  QTest::keyClick(stop, Qt::Key_Space);
+  ASSERT_TRUE(eventually(is_ready));
+  EXPECT_EQ(QApplication::focusWidget(), force);
 }
 
 }  // namespace
