@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
@@ -27,6 +28,21 @@ void align_text(QMessageBox& box) {
   grid->setColumnStretch(grid->columnCount() - 1, 1);  // the buttons may need more width than the text
   grid->invalidate();
 }
+
+/// Takes the keys that repeat: who still holds Enter from the button that asks has read nothing, and would answer.
+class HeldKeys : public QObject {
+ public:
+  explicit HeldKeys(QMessageBox& box) : QObject(&box) {
+    box.installEventFilter(this);
+    for (QAbstractButton* button : box.buttons()) button->installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    const bool held = event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->isAutoRepeat();
+    return held || QObject::eventFilter(watched, event);
+  }
+};
 
 /// Adds a field to a box whose act waits for the right code.
 void ask_code(QMessageBox& box, QPushButton& act, const Question& question) {
@@ -63,6 +79,7 @@ Ports Ports::of_the_system() {
     box->setEscapeButton(stay);
     align_text(*box);
     if (!question.code.isEmpty()) ask_code(*box, *act, question);
+    new HeldKeys(*box);
     QObject::connect(box, &QMessageBox::finished, box, [box, act, then] { then(box->clickedButton() == act); });
     box->open();
   };

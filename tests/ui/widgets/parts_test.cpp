@@ -243,6 +243,21 @@ TEST(Ports, a_question_that_follows_a_chosen_file_stays_the_active_window) {
   box->reject();
 }
 
+TEST(Ports, a_key_that_is_held_since_before_a_question_does_not_answer_it) {
+  QWidget page;
+  page.show();
+  bool answered = false;
+  Ports::of_the_system().ask(&page, {QStringLiteral("Hand in?"), {}, QStringLiteral("Hand in")}, [&answered](bool) { answered = true; });
+  auto* box = page.findChild<QMessageBox*>();
+  ASSERT_NE(box, nullptr);
+  QPushButton* act = box->defaultButton();
+  QTest::simulateEvent(act, true, Qt::Key_Return, Qt::NoModifier, QString(), true);
+  QTest::simulateEvent(box, true, Qt::Key_Escape, Qt::NoModifier, QString(), true);
+  EXPECT_FALSE(answered);
+  QTest::keyClick(act, Qt::Key_Return);
+  EXPECT_TRUE(answered);
+}
+
 TEST(Ports, the_text_of_a_question_begins_where_its_buttons_do) {
   QWidget page;
   page.show();
