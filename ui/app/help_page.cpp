@@ -93,6 +93,7 @@ QHBoxLayout* HelpPage::make_keys() {
                         {{ctrl, u"K"_qs}, tr("go to any page or exercise")},
                         {{u"Alt"_qs, u"←"_qs}, tr("back")},
                         {{u"Esc"_qs}, tr("out of what is open")},
+                        {{ctrl, u"F"_qs}, tr("find an exercise by its name")},
                         {{ctrl, u"T"_qs}, tr("a chart as its table, and back")},
                         {{tr("Enter")}, tr("opens the chosen row")}});
   everywhere->body()->addStretch();
@@ -107,6 +108,8 @@ QHBoxLayout* HelpPage::make_keys() {
                       {{u"I"_qs, u"J"_qs, u"K"_qs, u"L"_qs}, tr("move the mirror; with Shift: tilt it; U, O: nearer, away")},
                       {{u"["_qs, u"]"_qs}, tr("previous bur, next bur")},
                       {{u"P"_qs}, tr("pause and resume")},
+                      {{ctrl, u"P"_qs}, tr("hide the panel at the right, show it")},
+                      {{ctrl, tr("Space")}, tr("have the values read aloud (screen reader)")},
                       {{u"W"_qs}, tr("coolant on and off, where the exercise has it")},
                       {{u"M"_qs}, tr("drilling sound on and off, likewise")},
                       {{ctrl, tr("Return")}, tr("finish (asks)")}});
