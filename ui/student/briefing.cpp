@@ -267,6 +267,12 @@ QWidget* Briefing::make_keys() {
   return keys;
 }
 
+/// An attempt that lay over it has stopped what was being drawn.
+void Briefing::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  show_picture();
+}
+
 void Briefing::show_picture() {
   show_covering(picture_, pictures_.picture(exercise_, folder_, ThumbnailCache::Use::card), px(8));
 }

@@ -35,6 +35,9 @@ class Briefing : public QWidget {
   /// The reference lies over the briefing, with a view of its own.
   void reference_opened(QWidget* page);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   QWidget* make_briefing();
   QWidget* make_bar();

@@ -294,6 +294,19 @@ TEST_F(Pages, pictures_that_are_stopped_begin_again_when_they_are_asked_for) {
   EXPECT_FALSE(pictures.picture(list->exercises[0], {}, ThumbnailCache::Use::card).isNull());
 }
 
+TEST_F(Pages, a_briefing_asks_anew_for_the_picture_that_an_attempt_over_it_has_stopped) {
+  if (!EglContext::create(8, 8)) GTEST_SKIP() << "no OpenGL";
+  Exercise exercise;
+  exercise.scenario = *load_builtin("class-1-36");
+  Briefing page(exercise, pictures, {}, nullptr);
+  page.show();
+  QSignalSpy ready(&pictures, &ThumbnailCache::ready);
+  pictures.stop();
+  page.hide();
+  page.show();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return ready.count() > 0; }, 60'000));
+}
+
 TEST_F(Pages, a_picture_that_the_disk_does_not_take_is_shown_and_leaves_no_half_file) {
   if (!EglContext::create(8, 8)) GTEST_SKIP() << "no OpenGL";
   const Exercise block{*load_builtin("paper-block"), {}, 1, {}};
