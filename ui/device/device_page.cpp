@@ -46,6 +46,21 @@ void rows_first(const QWidget& page, const QWidget& rows) {
   }
 }
 
+enum class Seen { listed, missing, not_yet };
+
+struct Standing {
+  QString text{};  // empty: nothing is to be known
+  Chip::Kind kind = Chip::Kind::plain;
+};
+
+Standing standing_of(const FoundDevice& device, Seen seen) {
+  if (seen == Seen::not_yet) return {DevicePage::tr("looking"), Chip::Kind::plain};
+  if (seen == Seen::missing) return {DevicePage::tr("not plugged in"), Chip::Kind::look};
+  if (device.denied) return {DevicePage::tr("not permitted"), Chip::Kind::bad};
+  if (device.kind == "falcon") return {DevicePage::tr("plugged in"), Chip::Kind::good};
+  return {};
+}
+
 }  // namespace
 
 struct DevicePage::Inner {
@@ -230,20 +245,14 @@ void DevicePage::fill() {
       if (on) use(one);
     });
     line->addWidget(pick);
-    const bool missing = !there && is_chosen(one);
     denied = denied || one.denied;
-    if (missing && !in.known) {
-      line->addWidget(new Chip(tr("looking"), Chip::Kind::plain));
-    } else if (missing) {
-      line->addWidget(new Chip(tr("not plugged in"), Chip::Kind::look));
-    } else if (one.denied) {
-      line->addWidget(new Chip(tr("not permitted"), Chip::Kind::bad));
-    } else if (one.kind == "falcon") {
-      line->addWidget(new Chip(tr("plugged in"), Chip::Kind::good));
-    }
-    if (!one.port.empty()) {
-      line->addWidget(make_label(tr("Socket %1").arg(QString::fromStdString(one.port)), TextRole::caption, Weight::regular, "text2"));
-    }
+    const Standing standing = standing_of(one, there || !is_chosen(one) ? Seen::listed : in.known ? Seen::missing : Seen::not_yet);
+    if (!standing.text.isEmpty()) line->addWidget(new Chip(standing.text, standing.kind));
+    const QString socket = one.port.empty() ? QString() : tr("Socket %1").arg(QString::fromStdString(one.port));
+    if (!socket.isEmpty()) line->addWidget(make_label(socket, TextRole::caption, Weight::regular, "text2"));
+    QStringList beside{standing.text, socket};
+    beside.removeAll(QString());
+    pick->setAccessibleDescription(beside.join(u", "_qs));  // a screen reader stands on the button alone
     line->addStretch();
     column->addLayout(line);
   }

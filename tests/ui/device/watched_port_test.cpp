@@ -84,6 +84,19 @@ TEST(DevicePage, the_keyboard_stays_in_the_list_when_a_device_comes) {
   EXPECT_EQ(QApplication::focusWidget(), chosen());
 }
 
+TEST(DevicePage, a_screen_reader_on_a_device_hears_whether_it_is_there) {
+  const QTemporaryDir folder;
+  Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
+  DeviceSettings(settings.file()).choose("falcon", "FT000001");
+  bool plugged = false;
+  DevicePage page(settings, Ports::of_the_system(), Role::instructor, nullptr, [&plugged] { return std::make_unique<LateWatch>(plugged); });
+  const auto beside = [&page] { return page.findChildren<QRadioButton*>().first()->accessibleDescription(); };
+  EXPECT_EQ(beside(), QStringLiteral("not plugged in"));
+  plugged = true;
+  page.look();
+  EXPECT_EQ(beside(), QStringLiteral("plugged in, Socket 1-1"));
+}
+
 /// Chooses the emulated Falcon on a page over these settings. The page's own band, before its panels have one.
 QString band_after_choice(Settings& settings) {
   DevicePage page(settings, Ports::of_the_system(), Role::instructor, nullptr, [] { return std::make_unique<EmptyWatch>(); });
