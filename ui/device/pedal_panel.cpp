@@ -1,5 +1,6 @@
 #include "ui/device/pedal_panel.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
@@ -10,6 +11,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <cmath>
+#include <utility>
 
 #include "device/hid/pedal_finder.h"
 #include "device/hid/permissions.h"
@@ -150,6 +152,8 @@ void PedalPanel::make_lesson(QVBoxLayout* column) {
   Inner& in = *inner_;
   auto* box = new QFrame;
   set_kind(box, "band_info");
+  box->setFocusPolicy(Qt::TabFocus);
+  box->setAccessibleName(tr("Calibrate"));
   in.lesson_box = box;
   auto* steps = new QVBoxLayout(box);
   steps->setContentsMargins(px(12), px(12), px(12), px(12));
@@ -247,13 +251,13 @@ void PedalPanel::connect_device() {
 
 void PedalPanel::learn(Lesson lesson) {
   Inner& in = *inner_;
-  in.lesson = lesson;
+  const Lesson before = std::exchange(in.lesson, lesson);
+  const bool has_keys = in.lesson_box->hasFocus() || in.lesson_box->isAncestorOf(QApplication::focusWidget());
   in.timer.setInterval(lesson == Lesson::none ? kPedalRefreshMs : kTeachMs);
   in.lesson_box->setVisible(lesson != Lesson::none);
   in.next->setVisible(lesson != Lesson::coolant);
   in.next->setText(lesson == Lesson::release ? tr("Take it over") : tr("Next"));
-  in.teach->setEnabled(lesson == Lesson::none);
-  in.teach_coolant->setEnabled(lesson == Lesson::none);
+  for (QPushButton* begins : {in.teach, in.teach_coolant}) begins->setEnabled(lesson == Lesson::none);
   switch (lesson) {
     case Lesson::none: break;
     case Lesson::rest: in.task->setText(tr("Press the pedal once, release it, and take the foot off.")); break;
@@ -262,6 +266,9 @@ void PedalPanel::learn(Lesson lesson) {
     case Lesson::coolant: in.task->setText(tr("Press the switch that runs the coolant.")); break;
   }
   if (lesson != Lesson::none) announce(this, in.task->text());
+  // On none of its buttons: a pedal that plays keyboard would press them.
+  if (before == Lesson::none && lesson != Lesson::none) in.lesson_box->setFocus();
+  if (lesson == Lesson::none && has_keys) (before == Lesson::coolant ? in.teach_coolant : in.teach)->setFocus();
   look();
 }
 

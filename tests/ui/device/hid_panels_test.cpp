@@ -2,6 +2,7 @@
 // progress, never time.
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
@@ -213,6 +214,28 @@ TEST_F(Panels, a_known_pedal_needs_no_calibration_and_gets_a_switch_for_the_cool
   EXPECT_FALSE(reader.settings().coolant);
   panel.findChild<QCheckBox*>()->click();
   EXPECT_FALSE(HidSettings(settings.file()).pedal().on);
+}
+
+TEST_F(Panels, what_a_pedal_types_while_it_is_calibrated_presses_no_button) {
+  desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor());
+  hid::PedalReader reader(bus_of(desk));
+  reader.start();
+  PedalPanel panel(reader, &settings);
+  panel.show();
+  panel.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&panel));
+  ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
+  panel.look();
+  for (const char* begins : {"Calibrate", "Choose the switch for the coolant"}) {
+    QPushButton* begin = button(panel, begins);
+    ASSERT_NE(begin, nullptr);
+    begin->setFocus();
+    begin->click();
+    ASSERT_NE(QApplication::focusWidget(), nullptr);
+    EXPECT_EQ(qobject_cast<QPushButton*>(QApplication::focusWidget()), nullptr) << begins;
+    button(panel, "Cancel")->click();
+    EXPECT_EQ(QApplication::focusWidget(), begin) << begins;
+  }
 }
 
 TEST_F(Panels, a_pedal_that_may_not_be_opened_comes_with_the_line_that_mends_it) {
