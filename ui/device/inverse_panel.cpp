@@ -288,9 +288,13 @@ void InversePanel::look() {
   }
   if (in.message->text() != message) in.message->setText(message);
   in.values->setVisible(values);
+  // The button that is pressed goes or is disabled: the keyboard stays with the one that takes its place.
+  QPushButton* const next = in.state == State::asking ? in.cancel : in.state == State::answers ? in.free : in.ask;
+  const bool has_keys = in.ask->hasFocus() || in.cancel->hasFocus() || in.free->hasFocus();
   in.ask->setEnabled(in.state == State::away || in.state == State::refused);
   in.free->setVisible(in.state == State::answers);
   in.cancel->setVisible(in.state == State::asking);
+  if (has_keys) next->setFocus();
   in.progress->setVisible(in.state == State::asking);
   const bool still = !in.fixed && in.state != State::asking && in.state != State::answers;
   for (QWidget* field : {static_cast<QWidget*>(in.turned), static_cast<QWidget*>(in.scale), static_cast<QWidget*>(in.service)})

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
 #include <QProgressBar>
@@ -129,6 +130,32 @@ TEST_F(InversePanelTest, a_service_that_hangs_holds_the_window_neither_while_it_
   gate->open();
   wait_for_dropped_tasks();
   EXPECT_FALSE(gate->gave_up());
+}
+
+TEST_F(InversePanelTest, the_keyboard_goes_from_asking_to_cancelling_and_back) {
+  auto gate = std::make_shared<test::Gate>();
+  {
+    InversePanel panel(&settings, [gate](const InverseSettings& wanted) {
+      return std::make_unique<InversePort>(std::make_unique<HangingLink>(gate), wanted);
+    });
+    panel.show();
+    panel.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&panel));
+    const auto button = [&panel](const QString& text) -> QPushButton* {
+      for (QPushButton* b : panel.findChildren<QPushButton*>())
+        if (b->text().trimmed() == text) return b;
+      return nullptr;
+    };
+    QPushButton *ask = button(QStringLiteral("Look for it")), *cancel = button(QStringLiteral("Cancel"));
+    ASSERT_TRUE(ask != nullptr && cancel != nullptr);
+    ask->setFocus();
+    QTest::keyClick(ask, Qt::Key_Space);
+    EXPECT_EQ(QApplication::focusWidget(), cancel);
+    QTest::keyClick(cancel, Qt::Key_Space);
+    EXPECT_EQ(QApplication::focusWidget(), ask);
+  }
+  gate->open();
+  wait_for_dropped_tasks();
 }
 
 TEST_F(InversePanelTest, a_silent_service_is_asked_until_the_limit_and_the_bar_shows_how_long_it_may_last) {
