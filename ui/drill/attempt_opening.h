@@ -62,7 +62,8 @@ class AttemptOpening {
   Progress progress() const;
   /// A Falcon that is being opened; nullptr before and after, and for other devices.
   FalconPort* falcon() const noexcept { return falcon_.load(std::memory_order_acquire); }
-  /// Tooth and device are waited for no longer, a driver that does not come back for 3 s. Comes as a failure.
+  /// Tooth, device and the past of an attempt that resumes are waited for no longer, a driver that does not come back for 3 s. Comes as a
+  /// failure.
   void call_off() noexcept;
   bool called_off() const noexcept { return called_off_; }
 

@@ -152,7 +152,7 @@ Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan pla
 Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan plan, std::shared_ptr<HapticPort> port,
                                                                  const std::function<bool()>& called_off) {
   if (auto opened = open_port(port, called_off); !opened) return session_fail(SessionError::device, opened.error());
-  auto setup = set_up(plan, port->limits());
+  auto setup = set_up(plan, port->limits(), called_off);
   if (!setup) {
     port->close();
     return std::unexpected(setup.error());

@@ -75,8 +75,9 @@ class ExerciseSession {
   /// `port` outlives the session. Up to seconds for a large specimen: then not on the window's thread.
   static Outcome<std::unique_ptr<ExerciseSession>> start(SessionPlan plan, HapticPort& port);
   /// If its driver stands still, finish(), abandon() and the destructor wait 3 s for it. Then the haptic thread keeps the port until
-  /// the driver comes back, or the program ends. `called_off` is asked on the calling thread while the port opens. Once it says true, the
-  /// driver is waited for 3 s more; then start() fails (device, kStandsStill), and a thread closes the port when the driver comes back.
+  /// the driver comes back, or the program ends. `called_off` is asked on the calling thread while the port opens, and after that by
+  /// set_up(). Once it says true, a driver is waited for 3 s more; then start() fails (device, kStandsStill), and a thread closes the port
+  /// when the driver comes back.
   static Outcome<std::unique_ptr<ExerciseSession>> start(SessionPlan plan, std::shared_ptr<HapticPort> port,
                                                          const std::function<bool()>& called_off = {});
   /// Abandons when neither finish() nor abandon() was called.

@@ -39,7 +39,7 @@ Outcome<VersionId> version_of(const SessionPlan& plan, Store& store) {
   return version->id;
 }
 
-Outcome<void> resume(SessionPlan& plan, SessionSetup& setup) {
+Outcome<void> resume(SessionPlan& plan, SessionSetup& setup, const std::function<bool()>& called_off) {
   auto opened = open_session(*setup.store, plan.resumes);
   if (!opened) return std::unexpected(opened.error());
   if (opened->session.student != plan.student.id) {
@@ -58,7 +58,11 @@ Outcome<void> resume(SessionPlan& plan, SessionSetup& setup) {
   setup.time_limit_s = extended_limit_s(plan.scenario.time_limit_s, opened->session.header.extra_time_percent);
   auto replay = Replay::open(*setup.store, std::move(*opened));
   if (!replay) return std::unexpected(replay.error());
-  if (auto done = replay->to(UINT64_MAX, {.from = ReplayFrom::whole_process}); !done) return std::unexpected(done.error());
+  ReplayJump whole{.from = ReplayFrom::whole_process};
+  if (called_off) whole.watch = [&called_off](double) { return !called_off(); };
+  const auto arrived = replay->to(UINT64_MAX, whole);
+  if (!arrived) return std::unexpected(arrived.error());
+  if (!*arrived) return session_fail(SessionError::specimen, ImportFailure{ImportError::cancelled, "attempt", {}});
   setup.process = replay->process();
   const auto bytes = replay->state().save();
   setup.loop_start = StepState::restore(setup.scene, bytes);
@@ -97,7 +101,7 @@ NewSession row_of(const SessionPlan& plan, const SessionSetup& setup, VersionId 
 
 }  // namespace
 
-Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device) {
+Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device, const std::function<bool()>& called_off) {
   SessionSetup setup;
   setup.device = device;
   if (!plan.database.empty()) {
@@ -107,7 +111,7 @@ Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device) {
   }
   if (!plan.resumes.is_nil()) {
     if (!setup.store) return session_fail(SessionError::wrong_state, plan.resumes.text());
-    if (auto done = resume(plan, setup); !done) return std::unexpected(done.error());
+    if (auto done = resume(plan, setup, called_off); !done) return std::unexpected(done.error());
     return setup;
   }
 

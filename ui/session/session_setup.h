@@ -1,6 +1,7 @@
 /// The beginning and the end that a live attempt and a scripted one share: scene, rows, recorder; then final volume and grade.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -28,8 +29,9 @@ struct SessionSetup {
 /// A time limit with a student's extra time. 0: none.
 constexpr double extended_limit_s(double limit_s, int extra_percent) noexcept { return limit_s * (100 + extra_percent) / 100; }
 
-/// `plan` gets its specimen. No row is written before everything else has succeeded.
-Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device);
+/// `plan` gets its specimen. No row is written before everything else has succeeded. `called_off` is asked while the past of an attempt
+/// that resumes is computed, which takes long where no key state is kept; once it says true, this fails (specimen, cancelled).
+Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device, const std::function<bool()>& called_off = {});
 
 /// Why an attempt is over; the key is the reason stored with the event.
 enum class SessionEnd : std::uint8_t {

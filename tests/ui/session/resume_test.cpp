@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <fstream>
 
 #include "tests/modules.h"
@@ -116,6 +117,30 @@ TEST(Resume, AfterAKillItGoesOnFromTheNewestKeyStateBitForBit) {
     EXPECT_EQ(ticks_to_resume(*store, session), stored - 10'000);
   }
   expect_same_as_uninterrupted(work, session);
+}
+
+/// What it opens for is called off by then.
+class OpenedPort final : public DrillingPort {
+ public:
+  explicit OpenedPort(std::atomic<bool>& opened) : DrillingPort(kTicks), opened_(opened) {}
+  Result<void, PortFailure> open() override {
+    opened_ = true;
+    return DrillingPort::open();
+  }
+
+ private:
+  std::atomic<bool>& opened_;
+};
+
+TEST(Resume, IsCalledOffWhileItsPastIsComputedAndStaysInterrupted) {
+  const Workplace work;
+  SessionPlan plan = work.plan();
+  plan.resumes = play_and_die(work);
+  std::atomic<bool> opened{false};
+  const auto started = ExerciseSession::start(plan, std::make_shared<OpenedPort>(opened), [&opened] { return opened.load(); });
+  ASSERT_FALSE(started);
+  EXPECT_EQ(std::get<ImportError>(started.error().cause), ImportError::cancelled);
+  EXPECT_EQ(*work.store()->sessions.state(plan.resumes), SessionState::interrupted);
 }
 
 TEST(Resume, WithTheNewestKeyStateDamagedItGoesOnFromTheOneBefore) {
