@@ -7,7 +7,9 @@
 #include <csignal>
 #include <cstdio>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "device/hid/hid_station.h"
@@ -20,6 +22,7 @@
 #include "ui/device/hid_settings.h"
 #include "ui/render/opengl_allowed.h"
 #include "ui/session/background_task.h"
+#include "ui/session/keep_awake.h"
 #include "ui/settings/settings.h"
 #include "ui/student/exercises.h"
 #include "ui/text/language.h"
@@ -76,7 +79,9 @@ int main(int argc, char** argv) {
     cusp::ui::apply_theme(app, settings.scheme(), settings.scale_percent());
   };
   const auto make = [&] {
-    desktop.emplace(settings, cusp::ui::Ports::of_the_system(), cusp::ui::database_path(line.value(database)));
+    cusp::ui::Ports ports = cusp::ui::Ports::of_the_system();
+    ports.keep_awake = [](const QString& why) { return std::make_shared<cusp::ui::KeepAwake>(why.toStdString()); };
+    desktop.emplace(settings, std::move(ports), cusp::ui::database_path(line.value(database)));
     desktop->use_hid(hid);
     if (const QStringList files = line.positionalArguments(); !files.isEmpty()) {
       desktop->open_after_sign_in(QFileInfo(files.first()).absoluteFilePath());

@@ -335,6 +335,8 @@ void DrillScreen::look() {
   const bool stopped = in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held;
   if (in.input) in.input->set_enabled(!stopped && !in.asked);
   in.bar->set_stopped(stopped);
+  if (stopped) in.awake.reset();
+  else if (!in.awake && in.ports.keep_awake) in.awake = in.ports.keep_awake(tr("An attempt is running"));
   in.bar->enable_pause(!in.live.silent && !in.stage->undrawn());
   // Inputs could not be kept: the attempt is graded as it stands.
   if (in.live.end == LoopEnd::ring_full) finish_now();

@@ -57,6 +57,7 @@ void DrillScreen::finish_now() {
   in.working = true;
   in.look_timer.stop();
   in.sound->stop();
+  in.awake.reset();
   enable_controls(false);
   in.bar->enable_leave(false);
   in.stats.write_where_asked();
@@ -108,6 +109,7 @@ void DrillScreen::leave_now() {
   Inner& in = *inner_;
   in.look_timer.stop();
   in.sound->stop();
+  in.awake.reset();
   in.stats.write_where_asked();
   if (in.input) in.input->set_enabled(false);
   in.over = in.working = true;

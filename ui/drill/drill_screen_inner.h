@@ -47,6 +47,7 @@ struct DrillScreen::Inner {
   FrameStats stats;
   LiveView live;
   int looks = 0;
+  std::shared_ptr<void> awake;  // Ports::keep_awake, while the attempt runs
   std::function<void()> after_leaving;  // of ask_leave_then(); empty: nothing
   bool working = false, over = false;
   bool asked = false;   // Finish's or Leave's question is open

@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <QString>
 #include <functional>
+#include <memory>
 
 class QDialog;
 class QWidget;
@@ -36,6 +37,9 @@ struct Ports {
   std::function<void(QWidget* parent, const Question&, std::function<void(bool)> then)> ask;
   /// `then` gets the path; not called when the picker was cancelled.
   std::function<void(QWidget* parent, const FileWish&, std::function<void(const QString&)> then)> pick_file;
+
+  /// Keeps screen and computer awake as long as what it gives stands. `why`: for the desktop to show. Empty: nobody does.
+  std::function<std::shared_ptr<void>(const QString& why)> keep_awake;
 
   static Ports of_the_system();
 };

@@ -128,6 +128,29 @@ TEST_F(DrillEnd, a_key_that_is_held_too_long_acts_once) {
   EXPECT_TRUE(asked.isEmpty());
 }
 
+TEST_F(DrillEnd, the_desktop_is_kept_awake_while_the_attempt_runs_and_no_longer) {
+  std::weak_ptr<void> awake;
+  ports.keep_awake = [&awake](const QString&) {
+    const auto held = std::make_shared<int>(0);
+    awake = held;
+    return held;
+  };
+  screen = std::make_unique<DrillScreen>(ports);
+  screen->resize(1280, 800);
+  screen->show();
+  screen->activateWindow();
+  begin(plan());
+  EXPECT_FALSE(awake.expired());
+  screen->toggle_pause();
+  ASSERT_TRUE(wait_for_card("Paused"));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return awake.expired(); }, kComesWithinMs)) << "nobody drills";
+  button(card(), "Resume")->click();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !awake.expired(); }, kComesWithinMs));
+  screen->ask_leave();
+  answer(true);
+  EXPECT_TRUE(awake.expired());
+}
+
 TEST_F(DrillEnd, an_attempt_begins_while_work_that_was_left_goes_on) {
   auto gate = std::make_shared<test::Gate>();
   BackgroundTask([gate] { gate->pass(); });
