@@ -16,6 +16,24 @@ constexpr double kMostOff = 1.6;
 
 std::int16_t in_32767ths(double n) noexcept { return static_cast<std::int16_t>(std::floor(n * 32767.0 + 0.5)); }
 
+/// CellField::crossed() of the base field, by the cell's corners alone. Half of the cells near a surface are not crossed.
+bool crossed(const Specimen& specimen, IVec3 cell) noexcept {
+  const IVec3 local = cell & (kBrickEdge - 1);
+  const int brick = specimen.brick_index({cell.x >> 3, cell.y >> 3, cell.z >> 3});
+  const bool within = brick >= 0 && local.x < 7 && local.y < 7 && local.z < 7;
+  const std::uint16_t* values = within ? specimen.s_of(brick) : nullptr;
+  if (within && values == nullptr) return false;
+  const auto outside = [&](int i) {
+    const IVec3 o(i & 1, i >> 1 & 1, i >> 2);
+    const IVec3 v = local + o;
+    return distance_from_solid(within ? values[brick_offset(v.x, v.y, v.z)] : specimen.s(cell + o)) > 0.0;
+  };
+  const bool first = outside(0);
+  for (int i = 1; i < 8; ++i)
+    if (outside(i) != first) return true;
+  return false;
+}
+
 /// Each crossed cell's own, by brick, then by cell.
 std::vector<BasePlace> points_of_cells(const Specimen& specimen) {
   std::vector<BasePlace> out;
@@ -28,11 +46,12 @@ std::vector<BasePlace> points_of_cells(const Specimen& specimen) {
     for (int o = 0; o < kBrickVoxels; ++o) {
       if (values[o] < 11000 || values[o] > 54500) continue;  // further than a cell's diagonal from the surface
       const IVec3 local(o & 7, o >> 3 & 7, o >> 6);
+      if (!crossed(specimen, corner + local)) continue;
       CellField field;
       field.load(specimen, corner + local);
-      if (!field.crossed()) continue;
       Vec3 f, normal;
       const auto load = [&](IVec3 offset, CellField& to) {
+        if (!crossed(specimen, corner + local + offset)) return false;
         to.load(specimen, corner + local + offset);
         return true;
       };
