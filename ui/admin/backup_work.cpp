@@ -1,8 +1,8 @@
 #include "ui/admin/backup_work.h"
 
-#include <algorithm>
 #include <utility>
 
+#include "storage/backup/young_backup.h"
 #include "storage/base/clock.h"
 #include "storage/base/locked_folder.h"
 #include "storage/store.h"
@@ -11,33 +11,46 @@
 namespace cusp::ui {
 namespace {
 
-/// Of this station in the folder. One that a wrong clock dated in the future does not count.
-std::optional<Backup> newest_daily(const std::filesystem::path& into, const Uuid& station, std::int64_t now_utc_us) {
-  auto all = backups_in(into, station);
-  if (!all) return std::nullopt;
-  const auto newest = std::ranges::find_if(*all, [&](const Backup& one) { return one.kind == BackupKind::daily && one.made_utc_us <= now_utc_us; });
-  return newest == all->end() ? std::nullopt : std::optional(std::move(*newest));
-}
-
-bool is_of_today(const std::optional<Backup>& newest, std::int64_t now_utc_us) { return newest && now_utc_us - newest->made_utc_us < kBackupEveryUs; }
-
-Stored<BackedUp> back_up_and_thin(const RecordsBeside& records, const std::filesystem::path& into, const std::optional<Actor>& actor,
+Stored<BackedUp> back_up_and_thin(StorageContext& context, const std::filesystem::path& into, const std::optional<Actor>& actor,
                                   const WorkWatch& watch) {
-  const auto store = open_beside(records);
-  if (!store) return std::unexpected(store.error());
-  StorageContext& context = (*store)->context();
-  // Of two programs that find the daily one due, the second waits, and takes that of the first: two a day would halve the days that are kept.
-  std::optional<LockedFolder> alone;
-  if (!actor) {
-    alone.emplace(into, FolderLock::alone);
-    const std::int64_t now = context.clock();
-    if (auto newest = newest_daily(into, context.station, now); is_of_today(newest, now)) return BackedUp{std::move(*newest), std::nullopt};
-  }
   auto backup = make_backup(context, actor, into, watch);
   if (!backup) return std::unexpected(backup.error());
-  BackedUp out{std::move(*backup), std::nullopt};
+  BackedUp out{std::move(*backup)};
   if (auto thinned = thin_backups(into, out.backup.station, out.backup.kind, kBackupsKept, out.backup.made_utc_us); !thinned) out.not_removed = std::move(thinned.error());
   return out;
+}
+
+Stored<BackedUp> back_up_on_demand(const RecordsBeside& records, const std::filesystem::path& into, const Actor& actor, const WorkWatch& watch) {
+  const auto store = open_beside(records);
+  if (!store) return std::unexpected(store.error());
+  return back_up_and_thin((*store)->context(), into, actor, watch);
+}
+
+/// nullopt: one is due.
+Stored<std::optional<Backup>> backup_of_today(const OwnStore& store, const std::filesystem::path& into) {
+  if (!store) return std::unexpected(store.error());
+  return young_daily_backup((*store)->context(), into, kBackupEveryUs);
+}
+
+Stored<BackedUp> back_up_if_due(const OwnStore& store, const std::filesystem::path& into, const WorkWatch& watch) {
+  auto today = backup_of_today(store, into);
+  if (!today) return std::unexpected(today.error());
+  if (*today) return BackedUp{std::move(**today), std::nullopt, BackedUp::By::earlier};
+  return back_up_and_thin((*store)->context(), into, std::nullopt, watch);
+}
+
+Stored<BackedUp> back_up_daily(const RecordsBeside& records, const std::filesystem::path& into, const WorkWatch& watch) {
+  auto today = backup_of_today(open_beside(records.for_reading()), into);
+  if (!today) return std::unexpected(today.error());
+  if (*today) return BackedUp{std::move(**today), std::nullopt, BackedUp::By::earlier};
+  if (watch && !watch(0, 1)) return fail(StorageError::stopped, into.string());
+  std::error_code ignored;  // make_backup() reports it
+  const bool is_new = std::filesystem::create_directories(into, ignored);  // only a folder that is there can be locked
+  // Of two programs that find it due, the second waits, and takes that of the first: two a day would halve the days that are kept.
+  const LockedFolder alone(into, FolderLock::alone);
+  auto made = back_up_if_due(open_beside(records), into, watch);
+  if (!made && is_new) std::filesystem::remove(into, ignored);  // only if it is empty
+  return made;
 }
 
 /// The store is closed before the database gets its name.
@@ -65,7 +78,7 @@ BackgroundTask go_back(std::filesystem::path database, Backup backup, std::funct
 BackgroundTask back_up(RecordsBeside records, std::filesystem::path into, std::optional<Actor> actor,
                        std::function<void(Stored<BackedUp>)> then, std::shared_ptr<WorkProgress> progress) {
   return BackgroundTask([records = std::move(records), into = std::move(into), actor, then = std::move(then), watch = watch_of(std::move(progress))] {
-    then(back_up_and_thin(records, into, actor, watch));
+    then(actor ? back_up_on_demand(records, into, *actor, watch) : back_up_daily(records, into, watch));
   });
 }
 
@@ -84,10 +97,6 @@ BackgroundTask verify_log(RecordsBeside records, const Actor& actor, std::shared
     if (!store) return then(std::unexpected(store.error()));
     then((*store)->audit.verify(actor, [&progress](std::int64_t number) { progress->holding = number + 1; }));
   });
-}
-
-bool backup_is_due(const std::filesystem::path& into, const Uuid& station, std::int64_t now_utc_us) {
-  return !is_of_today(newest_daily(into, station, now_utc_us), now_utc_us);
 }
 
 }  // namespace cusp::ui

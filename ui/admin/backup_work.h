@@ -21,11 +21,14 @@ inline constexpr std::size_t kBackupsKept = 14;  // of each kind
 inline constexpr std::int64_t kBackupEveryUs = 86'400'000'000;  // a day
 
 struct BackedUp {
+  enum class By : std::uint8_t { this_call, earlier };
   Backup backup;
-  std::optional<StorageFailure> not_removed;  // an old backup: where = its folder, detail = the system's reason
+  std::optional<StorageFailure> not_removed{};  // an old backup: where = its folder, detail = the system's reason
+  By by = By::this_call;  // earlier: a daily one of less than a day ago was there
 };
 /// Makes a backup in `into` and removes the oldest of its kind beyond kBackupsKept. `then` is called on the task's thread.
-/// Without an actor it is the program's own daily one, or that which another program has made meanwhile; without progress nothing stops it.
+/// Without an actor it is the program's own daily one, made if young_daily_backup() finds none younger than kBackupEveryUs; `progress->all` is
+/// 0 until that is known. Without progress nothing stops it.
 BackgroundTask back_up(RecordsBeside records, std::filesystem::path into, std::optional<Actor> actor,
                        std::function<void(Stored<BackedUp>)> then, std::shared_ptr<WorkProgress> progress = {});
 struct WentBack {
@@ -47,8 +50,5 @@ struct LogProgress {
 /// once, and ignores the answer.
 BackgroundTask verify_log(RecordsBeside records, const Actor& actor, std::shared_ptr<LogProgress> progress,
                           std::function<void(Stored<Verification>)> then);
-
-/// Whether the station's newest daily backup in the folder is older than a day, or none is there. One from after `now_utc_us` does not count.
-bool backup_is_due(const std::filesystem::path& into, const Uuid& station, std::int64_t now_utc_us);
 
 }  // namespace cusp::ui

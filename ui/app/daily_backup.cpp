@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "storage/base/clock.h"
 #include "ui/admin/backup_work.h"
 #include "ui/admin/work_run.h"
 #include "ui/app/desktop.h"
@@ -29,6 +28,14 @@ QString copied_share(std::size_t done, std::size_t all) {
   return format_share(static_cast<int>(100.0 * static_cast<double>(std::min(done, all)) / static_cast<double>(all)), 100);
 }
 
+/// nullopt: nothing failed.
+std::optional<Message> failure_of_daily(const Stored<BackedUp>& made) {
+  if (!made) return Message{Desktop::tr("The daily backup failed."), describe(made.error()).line()};
+  if (!made->not_removed) return std::nullopt;
+  return Message{Desktop::tr("The daily backup is made. An old one could not be removed."),
+                 Desktop::tr("%1: %2.").arg(isolate(QString::fromStdString(made->not_removed->where)), QString::fromLocal8Bit(made->not_removed->detail.c_str()))};
+}
+
 }  // namespace
 
 bool Desktop::keep_daily_backup() {
@@ -39,26 +46,12 @@ bool Desktop::keep_daily_backup() {
   // A clock that was ahead at the failure puts no further try off.
   const qint64 wait_s = next_backup_.isValid() ? ports_.now().secsTo(next_backup_) : 0;
   if (wait_s > 0 && wait_s <= kBackupRetryS) return false;
-  if (!backup_is_due(into, store_->context().station, system_utc_us())) return false;
   backing_up_ = std::make_shared<WorkProgress>();
   const auto then = [self = QPointer(this)](const Stored<BackedUp>& made) {
-    std::optional<Message> failure;
-    if (!made) failure = {tr("The daily backup failed."), describe(made.error()).line()};
-    if (made && made->not_removed) {
-      failure = {tr("The daily backup is made. An old one could not be removed."),
-                 tr("%1: %2.").arg(isolate(QString::fromStdString(made->not_removed->where)), QString::fromLocal8Bit(made->not_removed->detail.c_str()))};
-    }
     QMetaObject::invokeMethod(
         qApp,
-        [self, failure, made = made.has_value()] {
-          if (!self) return;
-          // Each hour may fail: whoever has read of it reads it again at the next sign-in.
-          const bool unread = failure && !self->backup_failure_ && self->account_ && self->account_->role == Role::administrator;
-          self->backup_failure_ = failure;
-          if (unread && self->shell_) self->shell_->show_outcome(Band::Kind::look, *failure, [] {});
-          self->next_backup_ = made ? QDateTime() : self->ports_.now().addSecs(kBackupRetryS);
-          self->backing_up_.reset();
-          if (std::exchange(self->closes_after_backup_, false)) self->close();
+        [self, made] {
+          if (self) self->end_daily_backup(made);
         },
         Qt::QueuedConnection);
   };
@@ -66,9 +59,24 @@ bool Desktop::keep_daily_backup() {
   return true;
 }
 
+void Desktop::end_daily_backup(const Stored<BackedUp>& made) {
+  backing_up_.reset();
+  // Each minute finds the one of today: what was shown of its making stays, but for a failure that came before it.
+  if (!made || made->by == BackedUp::By::this_call || next_backup_.isValid()) {
+    // Each hour may fail: whoever has read of it reads it again at the next sign-in.
+    const bool unread = !backup_failure_ && account_ && account_->role == Role::administrator;
+    backup_failure_ = failure_of_daily(made);
+    if (backup_failure_ && unread && shell_) shell_->show_outcome(Band::Kind::look, *backup_failure_, [] {});
+  }
+  next_backup_ = made ? QDateTime() : ports_.now().addSecs(kBackupRetryS);
+  if (std::exchange(closes_after_backup_, false)) close();
+}
+
+bool Desktop::makes_daily_backup() const { return backing_up_ && backing_up_->all > 0; }
+
 bool Desktop::waits_for_backup() {
   if (!backing_up_) return false;
-  if (ended_by_signal()) {
+  if (ended_by_signal() || !makes_daily_backup()) {
     backing_up_->stop = true;
     return false;
   }

@@ -44,6 +44,7 @@ class ThumbnailCache;
 class ToothCache;
 class Shell;
 class SignIn;
+struct BackedUp;
 struct NavEntry;
 struct WorkProgress;
 
@@ -116,9 +117,11 @@ class Desktop : public QMainWindow {
   void import_specimen();
   void import_people();
 
-  /// Backs the records up in the background when a day has passed since the last backup, unless somebody drills now. After a
-  /// failure it waits an hour. True if a backup was begun.
+  /// Looks in the background whether a day has passed since the last daily backup, and then makes one, unless somebody drills now. After a
+  /// failure it waits an hour. True if it has begun to look.
   bool keep_daily_backup();
+  /// Whether one was found due, and is being made.
+  bool makes_daily_backup() const;
 
   enum class TextSize : std::uint8_t { usual, large };
   /// `large`: pages made from now on are at least kLargeTextPercent of their size, until back() or sign_out().
@@ -153,8 +156,10 @@ class Desktop : public QMainWindow {
   void give_back_comment(MarkingCard& card);
   /// True if something would be lost: closing then waits for the answer. Drafts are kept.
   bool asks_before_closing();
-  /// True while the daily backup is made: the window shows it, offers to leave it out, and closes after it. A signal stops it.
+  /// True while makes_daily_backup(): the window shows it, offers to leave it out, and closes after it. A signal stops it, and so does
+  /// closing before one is found due.
   bool waits_for_backup();
+  void end_daily_backup(const Stored<BackedUp>& made);
   void show_last_backup();
   /// Calls `then`; after a question, or never, if a form of the shell's page or the outcome of its work would be lost.
   void leave_page(std::function<void()> then);
@@ -250,7 +255,7 @@ class Desktop : public QMainWindow {
   std::map<int, PackOutcome> pack_outcomes_;  // by number, until their owners have closed them
   std::optional<Message> backup_failure_;  // of the last daily backup
   QDateTime next_backup_;                  // after one that failed; invalid: at once
-  std::shared_ptr<WorkProgress> backing_up_;  // null: no daily backup is being made
+  std::shared_ptr<WorkProgress> backing_up_;  // null: no daily backup is being made or looked for
   bool closes_after_backup_ = false;
   struct UnsavedComment {
     QString author, text;

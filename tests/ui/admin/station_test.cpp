@@ -1,4 +1,4 @@
-// The station's page: backups and verification in the background, and when a daily backup is due.
+// The station's page: backups and verification in the background.
 #include <gtest/gtest.h>
 
 #include <QDir>
@@ -362,38 +362,6 @@ TEST_F(Station, NeedsNoMoreWidthThanHalfOfFullHdLeavesItInGerman) {
   EXPECT_LE(area->widget()->minimumSizeHint().width(), area->viewport()->width());
   expect_nothing_clipped(shown, "station");
   install_language(*qApp, QStringLiteral("en"));
-}
-
-TEST_F(Station, ABackupIsDueADayAfterTheLast) {
-  const std::filesystem::path into = folder.filePath(QStringLiteral("daily")).toStdString();
-  const Uuid station = records.store().context().station;
-  EXPECT_TRUE(backup_is_due(into, station, kMorning));
-  const auto made = make_backup(records.store().context(), std::nullopt, into);
-  ASSERT_TRUE(made);
-  EXPECT_FALSE(backup_is_due(into, station, made->made_utc_us + kBackupEveryUs - 1));
-  EXPECT_TRUE(backup_is_due(into, station, made->made_utc_us + kBackupEveryUs));
-  EXPECT_TRUE(backup_is_due(into, station, made->made_utc_us - kBackupEveryUs)) << "a clock that was wrong stops no backups";
-}
-
-TEST_F(Station, OfTwoWindowsThatFindADailyBackupDueOneMakesIt) {
-  const std::filesystem::path into = folder.filePath(QStringLiteral("daily")).toStdString();
-  ASSERT_TRUE(std::filesystem::create_directory(into));
-  std::promise<Stored<BackedUp>> of_one, of_other;
-  const auto begin = [&](std::promise<Stored<BackedUp>>& promise) {
-    return back_up(records_of(records.store()), into, std::nullopt, [&promise](Stored<BackedUp> made) { promise.set_value(std::move(made)); });
-  };
-  const BackgroundTask one = begin(of_one), other = begin(of_other);
-  const auto made = of_one.get_future().get(), taken = of_other.get_future().get();
-  ASSERT_TRUE(made && taken);
-  EXPECT_EQ(made->backup.folder, taken->backup.folder);
-  EXPECT_EQ(backups_in(into, std::nullopt)->size(), 1u);
-}
-
-TEST_F(Station, ADailyBackupIsDueAlsoWhereSomebodyMadeOneToday) {
-  const std::filesystem::path into = folder.filePath(QStringLiteral("daily")).toStdString();
-  const auto made = make_backup(records.store().context(), admin.actor(), into);
-  ASSERT_TRUE(made);
-  EXPECT_TRUE(backup_is_due(into, records.store().context().station, made->made_utc_us));
 }
 
 }  // namespace

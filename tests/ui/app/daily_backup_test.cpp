@@ -11,8 +11,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 
+#include "storage/backup/backup.h"
+#include "storage/base/locked_folder.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/app/desktop.h"
@@ -80,16 +83,14 @@ TEST(DailyBackup, that_failed_is_shown_at_once_to_an_administrator_who_is_signed
   EXPECT_TRUE(QTest::qWaitFor(shows_failure, 60'000));
 }
 
-/// A desktop whose daily backup has begun. Its outcome reaches the window in a later turn of the event loop.
-struct ClosingOverDailyBackup : testing::Test {
-  ClosingOverDailyBackup() {
+struct DailyBackupFolder : testing::Test {
+  DailyBackupFolder() {
     settings.set_backup_folder(folder.filePath(QStringLiteral("backups")));
     desktop.emplace(settings, Ports::of_the_system(), records.file());
     desktop->start();
     desktop->show();
-    EXPECT_TRUE(desktop->keep_daily_backup());
   }
-  ~ClosingOverDailyBackup() override {
+  ~DailyBackupFolder() override {
     desktop.reset();
     wait_for_dropped_tasks();  // before the records go
   }
@@ -97,12 +98,35 @@ struct ClosingOverDailyBackup : testing::Test {
   test::DeskRecords records;
   const QTemporaryDir folder;
   Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
+  std::optional<Desktop> desktop;
+};
+
+TEST_F(DailyBackupFolder, is_read_in_the_background_and_holds_up_no_window_that_closes) {
+  ASSERT_TRUE(desktop->keep_daily_backup());
+  ASSERT_TRUE(QTest::qWaitFor([this] { return desktop->keep_daily_backup(); }, 60'000)) << "whether one is due is not known at once";
+  EXPECT_TRUE(desktop->close());
+  desktop.reset();
+  wait_for_dropped_tasks();
+  EXPECT_EQ(backups_in(settings.backup_folder(records.file()), std::nullopt)->size(), 1u);
+}
+
+/// A desktop whose daily backup is being made, and waits for the folder. Its outcome reaches the window in a later turn of the event loop.
+struct ClosingOverDailyBackup : DailyBackupFolder {
+  ClosingOverDailyBackup() {
+    const auto into = settings.backup_folder(records.file());
+    std::filesystem::create_directory(into);
+    held.emplace(into, FolderLock::alone);
+    EXPECT_TRUE(desktop->keep_daily_backup());
+    EXPECT_TRUE(QTest::qWaitFor([this] { return desktop->makes_daily_backup(); }, 60'000));
+  }
+  ~ClosingOverDailyBackup() override { held.reset(); }
+
+  std::optional<LockedFolder> held;
   QPushButton* leave_out() const {
     for (QPushButton* one : desktop->page()->findChildren<QPushButton*>())
       if (one->accessibleName() == QStringLiteral("Close without the backup")) return one;
     return nullptr;
   }
-  std::optional<Desktop> desktop;
 };
 
 TEST_F(ClosingOverDailyBackup, waits_until_it_is_made_and_shows_that) {
@@ -113,6 +137,7 @@ TEST_F(ClosingOverDailyBackup, waits_until_it_is_made_and_shows_that) {
   EXPECT_TRUE(busy->running());
   EXPECT_FALSE(desktop->close()) << "once more";
   EXPECT_EQ(desktop->page()->findChild<Busy*>(), busy) << "the page stays";
+  held.reset();
   ASSERT_TRUE(QTest::qWaitFor([this] { return !desktop->isVisible(); }, 60'000));
   EXPECT_FALSE(QDir(folder.filePath(QStringLiteral("backups"))).isEmpty());
 }
