@@ -82,6 +82,10 @@ BackgroundTask back_up(RecordsBeside records, std::filesystem::path into, std::o
   });
 }
 
+BackgroundTask find_backups(std::filesystem::path into, std::optional<Uuid> station, int asked, std::function<void(FoundBackups)> then) {
+  return BackgroundTask([into = std::move(into), station, asked, then = std::move(then)] { then({asked, backups_in(into, station)}); });
+}
+
 BackgroundTask verify_records(RecordsBeside records, std::function<void(Stored<StoreVerification>)> then,
                               std::shared_ptr<WorkProgress> progress) {
   return BackgroundTask([records = std::move(records), then = std::move(then), watch = watch_of(std::move(progress))] {

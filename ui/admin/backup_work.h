@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "storage/backup/backup.h"
 #include "storage/records/verify.h"
@@ -31,6 +32,13 @@ struct BackedUp {
 /// 0 until that is known. Without progress nothing stops it.
 BackgroundTask back_up(RecordsBeside records, std::filesystem::path into, std::optional<Actor> actor,
                        std::function<void(Stored<BackedUp>)> then, std::shared_ptr<WorkProgress> progress = {});
+struct FoundBackups {
+  int asked = 0;
+  Stored<std::vector<Backup>> all;
+};
+/// backups_in(), whose drive may not answer for minutes. `then` is called on the task's thread; with `asked` a page knows the answer to its
+/// latest question.
+BackgroundTask find_backups(std::filesystem::path into, std::optional<Uuid> station, int asked, std::function<void(FoundBackups)> then);
 struct WentBack {
   Backup backup;
   std::filesystem::path aside;  // where the records from before are

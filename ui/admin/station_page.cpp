@@ -139,7 +139,14 @@ QWidget* StationPage::make_backups() {
 void StationPage::show_backups() {
   const auto into = settings_.backup_folder(database_);
   folder_->setText(tr("One a day. The newest %1 of these, and as many of your own, are kept in %2").arg(kBackupsKept).arg(QString::fromStdString(into.string())));
-  const auto all = backups_in(into, station_);
+  newest_->setText(tr("The folder is being read."));
+  table_->show_backups({});
+  finding_ = find_backups(into, station_, ++asked_, on_window<FoundBackups>(this, &StationPage::show_found));
+}
+
+void StationPage::show_found(const FoundBackups& found) {
+  if (found.asked != asked_) return;
+  const auto& all = found.all;
   table_->show_backups(all.value_or(std::vector<Backup>{}));
   if (!all || all->empty()) {
     newest_->setText(all ? tr("There is no backup yet.")

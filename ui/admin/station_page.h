@@ -48,7 +48,9 @@ class StationPage : public QWidget, public AtWork {
   QWidget* make_records();
   QWidget* make_backups();
   QWidget* make_idle();
+  /// Reads the folder in the background: a network drive may not answer, and another folder can be chosen meanwhile.
   void show_backups();
+  void show_found(const FoundBackups& found);
   void show_backed_up(const Stored<BackedUp>& made);
   void show_verified(const Stored<StoreVerification>& proof);
   void show_findings(const StoreVerification& proof);
@@ -64,7 +66,8 @@ class StationPage : public QWidget, public AtWork {
   std::uint64_t page_bytes_ = 0;  // of the records; 0: it could not be read
   QString holds_;                 // how many sessions, and their size; or that these could not be read
   QString key_;  // fingerprint of the station's key; empty: opened for reading
-  BackgroundTask task_;
+  BackgroundTask task_, finding_;
+  int asked_ = 0;  // calls of show_backups()
   QBoxLayout* columns_ = nullptr;
   Band* band_;
   WorkRun* run_;

@@ -54,14 +54,23 @@ WayBack::WayBack(std::filesystem::path database, std::filesystem::path backups, 
   connect(choose_, &QPushButton::clicked, this, &WayBack::choose_folder);
   connect(again_, &QPushButton::clicked, this, &WayBack::try_again);
   look_into(backups);
-  setFocusProxy(go_back_->isEnabled() ? go_back_ : choose_);
+  setFocusProxy(choose_);
 }
 
 QString WayBack::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
 
 void WayBack::look_into(const std::filesystem::path& folder) {
-  auto all = backups_in(folder, std::nullopt);
-  const QString name = QString::fromStdString(folder.string());
+  folder_ = folder;
+  found_->setText(tr("%1 is being read.").arg(QString::fromStdString(folder.string())));
+  table_->show_backups({});
+  go_back_->setEnabled(false);
+  finding_ = find_backups(folder, std::nullopt, ++asked_, on_window<FoundBackups>(this, &WayBack::show_found));
+}
+
+void WayBack::show_found(const FoundBackups& found) {
+  if (found.asked != asked_) return;
+  auto all = found.all;
+  const QString name = QString::fromStdString(folder_.string());
   if (!all) {
     found_->setText(tr("%1 cannot be read: %2.").arg(name, QString::fromLocal8Bit(all.error().detail.c_str())));
   } else if (all->empty()) {
@@ -74,6 +83,7 @@ void WayBack::look_into(const std::filesystem::path& folder) {
   table_->show_backups(all ? std::move(*all) : std::vector<Backup>{});
   table_->choose_row(0);
   go_back_->setEnabled(table_->chosen().has_value());
+  if (go_back_->isEnabled() && choose_->hasFocus()) go_back_->setFocus();  // the next act
 }
 
 void WayBack::choose_folder() {

@@ -40,8 +40,9 @@ class WayBack : public QWidget {
   void went_back(const Message& done);
 
  private:
-  /// Shows its backups: those of this station first, each part newest first.
+  /// Shows its backups, once they are read in the background: those of this station first, each part newest first.
   void look_into(const std::filesystem::path& folder);
+  void show_found(const FoundBackups& found);
   void begin(const Backup& backup);
   void show_went_back(const Stored<WentBack>& done);
   void enable(bool on);
@@ -49,7 +50,9 @@ class WayBack : public QWidget {
   std::filesystem::path database_;
   std::optional<Uuid> station_;  // of the damaged records; nullopt: nothing names it
   const Ports& ports_;
-  BackgroundTask task_;
+  std::filesystem::path folder_;  // the one that is looked into
+  BackgroundTask task_, finding_;
+  int asked_ = 0;  // calls of look_into()
   Band* band_;
   Busy* busy_;
   QLabel* found_;

@@ -87,6 +87,9 @@ class Station : public testing::Test {
   static bool waited(const StationPage& page) {
     return QTest::qWaitFor([&] { return !page.working(); }, kPatienceMs);
   }
+  static bool listed(const StationPage& page) {
+    return QTest::qWaitFor([&] { return !shows(page, "The folder is being read."); }, kPatienceMs);
+  }
 
   DeskRecords records;
   SessionId old_attempt;
@@ -130,9 +133,23 @@ TEST_F(Station, ShowsNoNumberOfSessionsThatCouldNotBeRead) {
 TEST_F(Station, TakesAFolderThatCannotBeReachedForNoEmptyOne) {
   const std::filesystem::path loop = folder.filePath(QStringLiteral("loop")).toStdString();
   std::filesystem::create_symlink("loop", loop);  // nobody reaches it, root neither
-  EXPECT_TRUE(shows(*page(), "There is no backup yet."));
+  const auto empty = page();
+  ASSERT_TRUE(listed(*empty));
+  EXPECT_TRUE(shows(*empty, "There is no backup yet."));
   ASSERT_TRUE(settings.set_backup_folder(QString::fromStdString(loop.string())));
-  EXPECT_TRUE(shows(*page(), "The folder cannot be read: "));
+  const auto unreached = page();
+  ASSERT_TRUE(listed(*unreached));
+  EXPECT_TRUE(shows(*unreached, "The folder cannot be read: "));
+}
+
+TEST_F(Station, ReadsTheFolderInTheBackgroundAndAnotherOneMeanwhile) {
+  ASSERT_TRUE(make_backup(records.store().context(), admin.actor(), chosen.toStdString()));
+  const auto shown = page();
+  EXPECT_TRUE(shows(*shown, "The folder is being read.")) << "a drive that does not answer would hold the window up";
+  shown->choose_folder();
+  EXPECT_TRUE(shows(*shown, "The folder is being read."));
+  ASSERT_TRUE(listed(*shown));
+  EXPECT_EQ(shown->findChild<Table*>()->model()->rowCount(), 1) << "of the folder that was chosen last";
 }
 
 TEST_F(Station, PutsTheNumbersOfBackupsAtTheRight) {
@@ -140,6 +157,7 @@ TEST_F(Station, PutsTheNumbersOfBackupsAtTheRight) {
   shown->choose_folder();
   shown->back_up();
   ASSERT_TRUE(waited(*shown));
+  ASSERT_TRUE(listed(*shown));
   const QAbstractItemModel* list = shown->findChild<Table*>()->model();
   ASSERT_EQ(list->rowCount(), 1);
   for (const int column : {1, 2}) {  // sessions and size

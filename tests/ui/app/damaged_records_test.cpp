@@ -42,6 +42,11 @@ struct DamagedRecords : ::testing::Test {
   }
 };
 
+/// Waits until the page has found a backup.
+bool found(const WayBack& page) {
+  return QTest::qWaitFor([&page] { return page.act()->isEnabled(); }, 60'000);
+}
+
 /// Ports whose every question is answered with its act.
 Ports agreeing() {
   Ports ports = Ports::of_the_system();
@@ -65,6 +70,7 @@ TEST_F(DamagedRecords, offer_a_way_back_to_a_backup_and_stay_beside_it) {
   auto* page = qobject_cast<WayBack*>(desktop->page());
   ASSERT_NE(page, nullptr);
   EXPECT_EQ(std::filesystem::file_size(file), 5000u) << "looking changes nothing";
+  ASSERT_TRUE(found(*page));
   page->act()->click();
   ASSERT_TRUE(QTest::qWaitFor([&] { return qobject_cast<SignIn*>(desktop->page()) != nullptr; }, 60'000));
   EXPECT_TRUE(bands().contains(QStringLiteral("What was damaged is kept in")));
@@ -95,7 +101,9 @@ TEST_F(DamagedRecords, behind_a_link_offer_the_same_way_back) {
     desktop->show();
     ASSERT_NE(qobject_cast<WayBack*>(desktop->page()), nullptr) << name;
   }
-  qobject_cast<WayBack*>(desktop->page())->act()->click();
+  auto* page = qobject_cast<WayBack*>(desktop->page());
+  ASSERT_TRUE(found(*page));
+  page->act()->click();
   ASSERT_TRUE(QTest::qWaitFor([&] { return qobject_cast<SignIn*>(desktop->page()) != nullptr; }, 60'000));
   EXPECT_TRUE(std::filesystem::is_symlink(link));
   bool kept = false;
@@ -127,6 +135,7 @@ TEST_F(DamagedRecords, stay_where_they_are_if_the_backup_is_damaged_too) {
   const Ports ports = agreeing();
   WayBack page(file, backup->folder.parent_path(), {QStringLiteral("Damaged"), {}}, ports);
   page.show();
+  ASSERT_TRUE(found(page));
   page.act()->click();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !page.message().isEmpty(); }, 60'000));
   EXPECT_TRUE(page.message().contains(QStringLiteral("The backup was not put in place."))) << page.message().toStdString();
@@ -151,12 +160,26 @@ TEST_F(DamagedRecords, are_offered_their_own_stations_backups_before_newer_ones_
   ports.ask = [&asked](QWidget*, const Question& question, const std::function<void(bool)>&) { asked = question.more; };
   WayBack page(file, into, {QStringLiteral("Damaged"), {}}, ports);
   page.show();
+  ASSERT_TRUE(found(page));
   page.act()->click();
   EXPECT_FALSE(asked.isEmpty());
   EXPECT_FALSE(asked.contains(QStringLiteral("another station"))) << asked.toStdString();
   page.findChild<Table*>()->choose_row(1);
   page.act()->click();
   EXPECT_TRUE(asked.contains(QStringLiteral("another station"))) << asked.toStdString();
+}
+
+TEST_F(DamagedRecords, offer_another_folder_while_that_of_the_backups_is_read) {
+  const std::filesystem::path into = folder.filePath(QStringLiteral("backups")).toStdString(), empty = folder.filePath(QStringLiteral("nothing")).toStdString();
+  ASSERT_TRUE(make_backup(records.store().context(), records.administrator().actor(), into));
+  Ports ports = Ports::of_the_system();
+  ports.pick_file = [&into](QWidget*, const FileWish&, const std::function<void(const QString&)>& then) { then(QString::fromStdString(into.string())); };
+  WayBack page(records.file(), empty, {QStringLiteral("Damaged"), {}}, ports);
+  page.show();
+  EXPECT_FALSE(page.act()->isEnabled()) << "a drive that does not answer would hold the window up";
+  page.choose_folder();
+  ASSERT_TRUE(found(page));
+  EXPECT_EQ(page.findChild<Table*>()->model()->rowCount(), 1);
 }
 
 TEST_F(DamagedRecords, that_can_be_read_in_part_are_read_and_offer_the_way_back) {
