@@ -8,16 +8,16 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kNumbers[] = {1, 2};  // columns
+constexpr int kNumbers[] = {2, 3}, kFolder = 4;  // columns
 
 }  // namespace
 
 BackupsTable::BackupsTable(QWidget* parent) : Table(parent), list_(new QStandardItemModel(this)) {
   setAccessibleName(tr("Backups"));
-  list_->setHorizontalHeaderLabels({tr("Made"), tr("Sessions"), tr("Size"), tr("Folder")});
+  list_->setHorizontalHeaderLabels({tr("Made"), tr("Kind"), tr("Sessions"), tr("Size"), tr("Folder")});
   for (const int column : kNumbers) list_->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
   setModel(list_);
-  set_stretch_column(3);
+  set_stretch_column(kFolder);
 }
 
 void BackupsTable::show_backups(std::vector<Backup> backups) {
@@ -25,8 +25,9 @@ void BackupsTable::show_backups(std::vector<Backup> backups) {
   list_->removeRows(0, list_->rowCount());
   for (const Backup& backup : backups_) {
     QList<QStandardItem*> cells;
+    const QString kind = backup.kind == BackupKind::daily ? tr("Daily") : tr("By an administrator");
     for (const QString& text :
-         {format_day_time(local_time(backup.made_utc_us)), QLocale().toString(static_cast<qulonglong>(backup.sessions)),
+         {format_day_time(local_time(backup.made_utc_us)), kind, QLocale().toString(static_cast<qulonglong>(backup.sessions)),
           QLocale().formattedDataSize(static_cast<qint64>(backup.bytes), 1), QString::fromStdString(backup.folder.filename().string())}) {
       auto* cell = new QStandardItem(text);
       cell->setEditable(false);
@@ -35,7 +36,7 @@ void BackupsTable::show_backups(std::vector<Backup> backups) {
     for (const int column : kNumbers) cells[column]->setTextAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
     list_->appendRow(cells);
   }
-  for (int column = 0; column < 3; ++column) resizeColumnToContents(column);
+  for (int column = 0; column < kFolder; ++column) resizeColumnToContents(column);
 }
 
 std::optional<Backup> BackupsTable::chosen() const {

@@ -1,4 +1,4 @@
-/// Backups as a table, newest first: when made, sessions, size, folder. Thread: GUI.
+/// Backups as a table, newest first: when made, daily or by an administrator, sessions, size, folder. Thread: GUI.
 #pragma once
 
 #include <optional>

@@ -152,6 +152,20 @@ TEST_F(Station, ReadsTheFolderInTheBackgroundAndAnotherOneMeanwhile) {
   EXPECT_EQ(shown->findChild<Table*>()->model()->rowCount(), 1) << "of the folder that was chosen last";
 }
 
+TEST_F(Station, NamesTheKindOfEachBackup) {
+  const std::filesystem::path into = chosen.toStdString();
+  ASSERT_TRUE(make_backup(records.store().context(), std::nullopt, into));
+  records.now_us += 1'000'000;
+  ASSERT_TRUE(make_backup(records.store().context(), admin.actor(), into));
+  const auto shown = page();
+  shown->choose_folder();
+  ASSERT_TRUE(listed(*shown));
+  const QAbstractItemModel* list = shown->findChild<Table*>()->model();
+  ASSERT_EQ(list->rowCount(), 2);
+  EXPECT_EQ(list->index(0, 1).data().toString(), QStringLiteral("By an administrator")) << "the newest first";
+  EXPECT_EQ(list->index(1, 1).data().toString(), QStringLiteral("Daily"));
+}
+
 TEST_F(Station, PutsTheNumbersOfBackupsAtTheRight) {
   const auto shown = page();
   shown->choose_folder();
@@ -160,7 +174,7 @@ TEST_F(Station, PutsTheNumbersOfBackupsAtTheRight) {
   ASSERT_TRUE(listed(*shown));
   const QAbstractItemModel* list = shown->findChild<Table*>()->model();
   ASSERT_EQ(list->rowCount(), 1);
-  for (const int column : {1, 2}) {  // sessions and size
+  for (const int column : {2, 3}) {  // sessions and size
     EXPECT_TRUE(list->index(0, column).data(Qt::TextAlignmentRole).toInt() & (Qt::AlignTrailing | Qt::AlignRight)) << column;
     EXPECT_TRUE(list->headerData(column, Qt::Horizontal, Qt::TextAlignmentRole).toInt() & (Qt::AlignTrailing | Qt::AlignRight)) << column;
   }
