@@ -24,6 +24,7 @@
 #include "ui/device/device_page.h"
 #include "ui/device/hid_settings.h"
 #include "ui/device/space_mouse_turner.h"
+#include "ui/drill/drill_screen.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/cohorts_page.h"
 #include "ui/instructor/library_page.h"
@@ -65,7 +66,8 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
       open_(std::move(open)),
       pictures_(std::make_unique<ThumbnailCache>(cache_folder() / "pictures")),
       teeth_(std::make_shared<ToothCache>(cache_folder() / "teeth")),
-      stack_(new QStackedWidget) {
+      stack_(new QStackedWidget),
+      idle_(ports_.since_boot ? ports_.since_boot : time_since_boot) {
   setWindowTitle(QStringLiteral("Cusp"));
   setWindowIcon(icon(u"tooth"_qs, Ink::accent));
   setCentralWidget(stack_);
@@ -318,6 +320,8 @@ void Desktop::push(QWidget* fresh) {
   QWidget* begins = fresh->focusProxy() ? fresh->focusProxy() : fresh;
   stack_->addWidget(fresh);
   stack_->setCurrentWidget(fresh);
+  // A device moves without mouse and keys: nobody is signed out, and the first key after a while is for the attempt.
+  if (qobject_cast<DrillScreen*>(fresh) != nullptr) idle_.set_limit({});
   begins->setFocus();
   lead_views(fresh);
 }
@@ -334,6 +338,7 @@ void Desktop::back() {
   const QPointer<QWidget> last = stack_->widget(stack_->count() - 2)->focusWidget();
   stack_->removeWidget(old);
   old->deleteLater();
+  if (qobject_cast<DrillScreen*>(old) != nullptr) begin_idle();
   use_text(TextSize::usual);
   stack_->setCurrentIndex(stack_->count() - 1);
   // What lies below may have new results.

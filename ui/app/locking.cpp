@@ -72,7 +72,7 @@ bool has_work(const QWidget& page) { return any_part(page, &AtWork::working); }
 }  // namespace
 
 void Desktop::lock_idle() {
-  if (!account_ || findChild<DrillScreen*>() != nullptr) return begin_idle();  // a device moves without mouse and keys
+  if (!account_ || findChild<DrillScreen*>() != nullptr) return;
   lock(tr("You were signed out after %n minute(s) without input.", nullptr, settings_.idle_minutes()));
 }
 

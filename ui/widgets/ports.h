@@ -4,6 +4,7 @@
 
 #include <QDateTime>
 #include <QString>
+#include <chrono>
 #include <functional>
 #include <memory>
 
@@ -33,6 +34,8 @@ struct FileWish {
 
 struct Ports {
   std::function<QDateTime()> now;
+  /// Milliseconds that rise, also while the computer sleeps. Empty: the system's.
+  std::function<std::chrono::milliseconds()> since_boot{};
   /// `then` gets true when the act was chosen.
   std::function<void(QWidget* parent, const Question&, std::function<void(bool)> then)> ask;
   /// `then` gets the path; not called when the picker was cancelled.

@@ -10,6 +10,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QTest>
+#include <chrono>
 
 #include "scenarios/library/library.h"
 #include "storage/sqlite/database.h"
@@ -20,6 +21,7 @@
 #include "ui/app/password_dialog.h"
 #include "ui/app/quick_open.h"
 #include "ui/app/shell.h"
+#include "ui/drill/drill_screen.h"
 #include "ui/editor/audit_page.h"
 #include "ui/editor/editor_page.h"
 #include "ui/instructor/cohorts_page.h"
@@ -105,6 +107,28 @@ struct Locking : AskingDesktop {
     return text;
   }
 };
+
+TEST_F(Locking, counts_its_time_from_the_end_of_an_attempt_for_a_device_moves_without_mouse_and_keys) {
+  const auto now = std::make_shared<std::chrono::milliseconds>(0);
+  ports.since_boot = [now] { return *now; };
+  ASSERT_TRUE(settings.set_idle_minutes(15));
+  sign_in(instructor());
+  desktop->push(new DrillScreen(ports));
+  QLineEdit field;
+  *now += std::chrono::minutes(40);
+  QTest::keyClick(&field, Qt::Key_A);
+  EXPECT_EQ(field.text(), QStringLiteral("a")) << "the first key after a while is for the attempt";
+  *now += std::chrono::minutes(15) - std::chrono::seconds(1);
+  desktop->back();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  *now += std::chrono::seconds(2);
+  QTest::keyClick(&field, Qt::Key_B);
+  QTest::qWait(1);  // the lock comes in a turn of its own
+  EXPECT_TRUE(desktop->account());
+  *now += std::chrono::minutes(15);
+  QTest::keyClick(&field, Qt::Key_B);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return !desktop->account(); }, kPatientMs));
+}
 
 TEST_F(Locking, gives_pin_slips_that_are_not_saved_back_to_whoever_made_them) {
   const Account anna = records.administrator();
