@@ -39,6 +39,7 @@ std::optional<Message> failure_of_daily(const Stored<BackedUp>& made) {
 }  // namespace
 
 bool Desktop::keep_daily_backup() {
+  settings_.read_again();
   const auto into = settings_.backup_folder(database_);
   // What is written meanwhile would slow the recorder down.
   const bool drilling = page() != nullptr && page()->findChild<ToothView*>() != nullptr;

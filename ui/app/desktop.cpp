@@ -165,8 +165,6 @@ void Desktop::look_at_opening() {
   if (start != nullptr) start->look_at_clock(ports_.now());
 }
 
-void Desktop::begin_idle() { idle_.set_limit(std::chrono::minutes(settings_.idle_minutes())); }
-
 void Desktop::sign_out() {
   // A dialog of the window outlives the pages, and acts for whoever was signed in.
   for (QDialog* open : findChildren<QDialog*>(Qt::FindDirectChildrenOnly)) delete open;

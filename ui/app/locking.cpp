@@ -71,6 +71,11 @@ bool has_work(const QWidget& page) { return any_part(page, &AtWork::working); }
 
 }  // namespace
 
+void Desktop::begin_idle() {
+  settings_.read_again();
+  idle_.set_limit(std::chrono::minutes(settings_.idle_minutes()));
+}
+
 void Desktop::lock_idle() {
   if (!account_ || findChild<DrillScreen*>() != nullptr) return;
   lock(tr("You were signed out after %n minute(s) without input.", nullptr, settings_.idle_minutes()));

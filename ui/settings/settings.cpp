@@ -24,6 +24,8 @@ QString Settings::usual_file() {
 
 Settings::Settings(const QString& file) : store_(file.isEmpty() ? usual_file() : file, QSettings::IniFormat) {}
 
+void Settings::read_again() { store_.sync(); }
+
 ColourScheme Settings::scheme() const {
   const QString text = store_.value("look/theme").toString();
   return text == u"light" ? ColourScheme::light : text == u"dark" ? ColourScheme::dark : ColourScheme::system;

@@ -17,6 +17,8 @@ class Settings {
   explicit Settings(const QString& file = {});
   static QString usual_file();
   QString file() const { return store_.fileName(); }
+  /// Takes what another window of Cusp has written since: without it a setting is that of the start.
+  void read_again();
 
   ColourScheme scheme() const;
   void set_scheme(ColourScheme scheme);

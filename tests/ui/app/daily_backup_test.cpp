@@ -110,6 +110,16 @@ TEST_F(DailyBackupFolder, is_read_in_the_background_and_holds_up_no_window_that_
   EXPECT_EQ(backups_in(settings.backup_folder(records.file()), std::nullopt)->size(), 1u);
 }
 
+TEST_F(DailyBackupFolder, is_the_one_that_another_window_has_chosen_since) {
+  const QString elsewhere = folder.filePath(QStringLiteral("elsewhere"));
+  QFile file(settings.file());
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("[records]\nbackup_folder=" + elsewhere.toUtf8() + '\n');
+  file.close();
+  ASSERT_TRUE(desktop->keep_daily_backup());
+  EXPECT_TRUE(QTest::qWaitFor([&elsewhere] { return !QDir(elsewhere).isEmpty(); }, 60'000));
+}
+
 /// A desktop whose daily backup is being made, and waits for the folder. Its outcome reaches the window in a later turn of the event loop.
 struct ClosingOverDailyBackup : DailyBackupFolder {
   ClosingOverDailyBackup() {
