@@ -12,7 +12,7 @@
 #include "ui/app/desktop.h"
 #include "ui/app/run_marker.h"
 #include "ui/app/shell.h"
-#include "ui/view/tooth_view.h"
+#include "ui/drill/drill_screen.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/format.h"
@@ -42,7 +42,7 @@ bool Desktop::keep_daily_backup() {
   settings_.read_again();
   const auto into = settings_.backup_folder(database_);
   // What is written meanwhile would slow the recorder down.
-  const bool drilling = page() != nullptr && page()->findChild<ToothView*>() != nullptr;
+  const bool drilling = findChild<DrillScreen*>() != nullptr;
   if (!store_ || reading_only_ || drilling || backing_up_ || !backup_.over()) return false;
   // A clock that was ahead at the failure puts no further try off.
   const qint64 wait_s = next_backup_.isValid() ? ports_.now().secsTo(next_backup_) : 0;

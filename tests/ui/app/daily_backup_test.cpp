@@ -19,7 +19,9 @@
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/app/desktop.h"
+#include "ui/drill/drill_screen.h"
 #include "ui/session/background_task.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/busy.h"
 
 namespace cusp::test {
@@ -118,6 +120,17 @@ TEST_F(DailyBackupFolder, is_the_one_that_another_window_has_chosen_since) {
   file.close();
   ASSERT_TRUE(desktop->keep_daily_backup());
   EXPECT_TRUE(QTest::qWaitFor([&elsewhere] { return !QDir(elsewhere).isEmpty(); }, 60'000));
+}
+
+TEST_F(DailyBackupFolder, is_left_alone_while_somebody_drills_and_beside_no_other_picture) {
+  desktop->push(new DrillScreen(Ports::of_the_system()));
+  EXPECT_FALSE(desktop->keep_daily_backup());
+  desktop->back();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  auto* report = new QWidget;  // that somebody leaves open overnight
+  new ToothView(report);
+  desktop->push(report);
+  EXPECT_TRUE(desktop->keep_daily_backup());
 }
 
 /// A desktop whose daily backup is being made, and waits for the folder. Its outcome reaches the window in a later turn of the event loop.
