@@ -43,6 +43,31 @@ TEST_F(ExchangePeopleTest, that_two_stations_made_for_one_number_are_named_as_po
   EXPECT_TRUE(must(possible_doubles(office->context(), chief)).empty()) << "somebody knows that these are two people";
 }
 
+TEST_F(ExchangePeopleTest, that_two_stations_made_for_one_name_under_two_numbers_are_named_as_possible_doubles) {
+  must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
+  must(office->accounts.create(chief, {.number = "1003", .name = omar.name}));
+  const Account own = must(station->accounts.create(keeper, {.number = "10O1", .name = "lena brandt"}));
+  attempt(own);
+  at_office(results());
+  const auto doubles = must(possible_doubles(office->context(), chief));
+  ASSERT_EQ(doubles.size(), 1u) << "two of one name whom the office made itself are two people";
+  EXPECT_EQ(doubles[0].account.id, lena.id);
+  EXPECT_EQ(doubles[0].other.id, own.id);
+  EXPECT_EQ(doubles[0].stations, std::vector<Uuid>{station->context().station});
+  must(office->accounts.rename(chief, lena.id, lena.number, "Lena Brandt (1)"));
+  EXPECT_TRUE(must(possible_doubles(office->context(), chief)).empty());
+}
+
+TEST_F(ExchangePeopleTest, who_was_erased_is_nobodys_possible_double) {
+  must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
+  const Account own = must(station->accounts.create(keeper, {.number = "77", .name = "Lena Brandt"}));
+  attempt(own);
+  at_office(results());
+  must(office->accounts.erase(chief, lena.id));
+  must(office->accounts.erase(chief, own.id));
+  EXPECT_TRUE(must(possible_doubles(office->context(), chief)).empty());
+}
+
 TEST_F(ExchangePeopleTest, two_whose_numbers_were_exchanged_change_them_at_the_station_too) {
   carry_over();
   must(office->accounts.rename(chief, lena.id, "between", lena.name));
