@@ -2,17 +2,20 @@
 
 #include <QBoxLayout>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <algorithm>
 
 #include "ui/admin/on_window.h"
+#include "ui/admin/stations_model.h"
 #include "ui/text/failure_text.h"
 #include "ui/widgets/number_field.h"
 
 namespace cusp::ui {
 namespace {
 
-constexpr std::size_t kNamesShown = 3;
+constexpr std::size_t kNamesShown = 3;  // in the text
+constexpr int kNamesHigh = 120;         // px at 100 %, of the list of all
 
 QString names_of(const std::vector<DepartedStudent>& students) {
   QStringList names;
@@ -20,10 +23,12 @@ QString names_of(const std::vector<DepartedStudent>& students) {
   return names.join(u", ");
 }
 
-Stored<DepartedStudents> departed_in(const RecordsBeside& records, const Actor& actor, int years) {
-  const auto store = open_beside(records.for_reading());
-  if (!store) return std::unexpected(store.error());
-  return departed_students((*store)->context(), actor, years);
+QString whole_list_of(const std::vector<DepartedStudent>& students) {
+  QStringList lines;
+  for (const DepartedStudent& one : students)
+    lines += DepartedCard::tr("%1, %2 (%3)", "name, number (day of the newest attempt)")
+                 .arg(QString::fromStdString(one.account.name), QString::fromStdString(one.account.number), date_text(one.last_utc_us));
+  return lines.join(u'\n');
 }
 
 /// What the question was about.
@@ -58,10 +63,17 @@ DepartedCard::DepartedCard(RecordsBeside records, const Actor& actor, const Port
   years_->setSpecialValueText(tr("as the school decides"));
   years_->show_value(0);
   body()->addWidget(labelled(tr("Years without an attempt"), years_));
-  found_ = make_label({}, TextRole::body, Weight::regular, "text2");
-  found_->setWordWrap(true);
-  found_->hide();
-  body()->addWidget(found_);
+  text_ = make_label({}, TextRole::body, Weight::regular, "text2");
+  text_->setWordWrap(true);
+  text_->hide();
+  body()->addWidget(text_);
+  names_ = new QPlainTextEdit;
+  names_->setReadOnly(true);
+  names_->setTabChangesFocus(true);
+  names_->setAccessibleName(tr("Students who would be erased"));
+  names_->setFixedHeight(px(kNamesHigh));
+  names_->hide();
+  body()->addWidget(names_);
   erase_ = make_button(tr("Erase them"), ButtonKind::erase);
   erase_->setEnabled(false);
   body()->addWidget(erase_);
@@ -70,17 +82,18 @@ DepartedCard::DepartedCard(RecordsBeside records, const Actor& actor, const Port
 }
 
 int DepartedCard::years() const { return static_cast<int>(years_->value()); }
-QString DepartedCard::found() const { return found_->text(); }
+QString DepartedCard::found() const { return text_->text(); }
 void DepartedCard::choose_years(int years) { years_->setValue(years); }
 
 void DepartedCard::look() {
   departed_ = {};
-  found_->clear();
-  found_->hide();
+  text_->clear();
+  text_->hide();
+  names_->hide();
   erase_->setEnabled(false);
   if (years() == 0 || working_) return;
   task_ = BackgroundTask([records = records_, actor = actor_, asked = years(), self = QPointer(this)] {
-    auto shared = std::make_shared<Stored<DepartedStudents>>(departed_in(records, actor, asked));
+    auto shared = std::make_shared<Stored<DepartedStudents>>(read_departed(records, actor, asked));
     QMetaObject::invokeMethod(
         QCoreApplication::instance(),
         [self, asked, shared] {
@@ -90,15 +103,24 @@ void DepartedCard::look() {
   });
 }
 
+Stored<DepartedStudents> DepartedCard::read_departed(const RecordsBeside& records, const Actor& actor, int years) {
+  const auto store = open_beside(records.for_reading());
+  if (!store) return std::unexpected(store.error());
+  return departed_students((*store)->context(), actor, years);
+}
+
 void DepartedCard::show_found(const Stored<DepartedStudents>& departed) {
   if (!departed) return report_failure(departed.error());
   departed_ = *departed;
-  const int gone = static_cast<int>(departed_.erasable.size()), waiting = static_cast<int>(departed_.waiting.size());
-  QString text = gone == 0 ? tr("Nobody has been away that long.") : tr("%n student(s): %1", nullptr, gone).arg(names_of(departed_.erasable));
-  if (departed_.erasable.size() > kNamesShown) text += QStringLiteral(" …");
-  if (waiting > 0) text += u'\n' + tr("%n student(s) stay: an assessment of theirs is not released.", nullptr, waiting);
-  found_->setText(text);
-  found_->show();
+  const std::vector<DepartedStudent>& erasable = departed_.erasable;
+  const int gone = static_cast<int>(erasable.size()), stay = static_cast<int>(departed_.waiting.size());
+  QString text = gone == 0 ? tr("Nobody has been away that long.") : tr("%n student(s): %1", nullptr, gone).arg(names_of(erasable));
+  if (erasable.size() > kNamesShown) text += QStringLiteral(" …");
+  if (stay > 0) text += u'\n' + tr("%n student(s) stay: an assessment of theirs is not released.", nullptr, stay);
+  text_->setText(text);
+  text_->show();
+  names_->setPlainText(whole_list_of(erasable));
+  names_->setVisible(erasable.size() > kNamesShown);
   erase_->setEnabled(gone > 0);
 }
 

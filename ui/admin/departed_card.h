@@ -13,6 +13,7 @@
 #include "ui/widgets/ports.h"
 
 class QLabel;
+class QPlainTextEdit;
 class QPushButton;
 
 namespace cusp::ui {
@@ -39,6 +40,7 @@ class DepartedCard : public Card, public AtWork {
   void erased();
 
  private:
+  static Stored<DepartedStudents> read_departed(const RecordsBeside& records, const Actor& actor, int years);
   int years() const;
   void look();
   void show_found(const Stored<DepartedStudents>& departed);
@@ -52,7 +54,8 @@ class DepartedCard : public Card, public AtWork {
   bool working_ = false;
   DepartedStudents departed_;
   BackgroundTask task_;
-  QLabel* found_ = nullptr;
+  QLabel* text_ = nullptr;
+  QPlainTextEdit* names_ = nullptr;  // of all, where the text names the first alone
   NumberField* years_ = nullptr;
   QPushButton* erase_ = nullptr;
 };

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QPlainTextEdit>
 #include <QTest>
 
 #include "tests/modules.h"
@@ -62,6 +63,23 @@ TEST_F(Departed, AreNamedAndStayUntilTheQuestionIsAnswered) {
   ASSERT_TRUE(asked);
   EXPECT_TRUE(asked->erases);
   EXPECT_TRUE(there("4712"));
+}
+
+TEST_F(Departed, AreAllNamedBeforeTheyAreErased) {
+  DeskRecords many{kLongAgo};
+  const Account keeper = many.administrator();
+  for (const char* number : {"1", "2", "3", "4", "5"}) many.student(number, std::string("Student ") + number);
+  many.use_until(kMorning - 21 * std::int64_t{86'400'000'000});
+  many.student("6", "Sana Ito");
+  many.now_us = kMorning;
+  PeoplePage page(many.store(), keeper.actor(), ports);
+  page.show();
+  const auto* list = looked(page).findChild<QPlainTextEdit*>();
+  ASSERT_NE(list, nullptr);
+  EXPECT_TRUE(list->isVisible());
+  for (const char* number : {"1", "2", "3", "4", "5"})
+    EXPECT_TRUE(list->toPlainText().contains(QStringLiteral("Student %1, %1 (").arg(QLatin1String(number)))) << list->toPlainText().toStdString();
+  EXPECT_FALSE(list->toPlainText().contains(QStringLiteral("Sana Ito")));
 }
 
 TEST_F(Departed, AreErasedAndLeaveTheList) {
