@@ -137,6 +137,10 @@ def main():
             check(status == 1 and not os.path.exists(new), f"a student: exchange {arguments}: exit {status}")
         check(b.done("in", file)["accounts"] >= 2 and c.done("in", file)["accounts"] >= 2, "accounts")
 
+        for station, part in ((b, "Erase at the office instead"), (office, "read the newest ones first")):
+            status, out, err = desk.run("retain", station.database, "--years", "100", "--dry-run", "--clock-is-right", "--as", station.admin, **SECRET)
+            check(status == 0 and part in out, f"{station.name}: what others know of those who left: exit {status}: {out}{err}")
+
         session = drill(desk, b)
         early, _ = b.out("--results")
         later = drill(desk, b)

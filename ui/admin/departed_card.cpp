@@ -8,6 +8,7 @@
 
 #include "ui/admin/on_window.h"
 #include "ui/admin/stations_model.h"
+#include "ui/text/exchange_text.h"
 #include "ui/text/failure_text.h"
 #include "ui/widgets/number_field.h"
 
@@ -86,14 +87,14 @@ QString DepartedCard::found() const { return text_->text(); }
 void DepartedCard::choose_years(int years) { years_->setValue(years); }
 
 void DepartedCard::look() {
-  departed_ = {};
+  found_ = {};
   text_->clear();
   text_->hide();
   names_->hide();
   erase_->setEnabled(false);
   if (years() == 0 || working_) return;
   task_ = BackgroundTask([records = records_, actor = actor_, asked = years(), self = QPointer(this)] {
-    auto shared = std::make_shared<Stored<DepartedStudents>>(read_departed(records, actor, asked));
+    auto shared = std::make_shared<Stored<Found>>(read_departed(records, actor, asked));
     QMetaObject::invokeMethod(
         QCoreApplication::instance(),
         [self, asked, shared] {
@@ -103,17 +104,21 @@ void DepartedCard::look() {
   });
 }
 
-Stored<DepartedStudents> DepartedCard::read_departed(const RecordsBeside& records, const Actor& actor, int years) {
+Stored<DepartedCard::Found> DepartedCard::read_departed(const RecordsBeside& records, const Actor& actor, int years) {
   const auto store = open_beside(records.for_reading());
   if (!store) return std::unexpected(store.error());
-  return departed_students((*store)->context(), actor, years);
+  auto departed = departed_students((*store)->context(), actor, years);
+  if (!departed) return std::unexpected(departed.error());
+  const auto keys = other_keys((*store)->context(), actor);
+  if (!keys) return std::unexpected(keys.error());
+  return Found{std::move(*departed), *keys};
 }
 
-void DepartedCard::show_found(const Stored<DepartedStudents>& departed) {
-  if (!departed) return report_failure(departed.error());
-  departed_ = *departed;
-  const std::vector<DepartedStudent>& erasable = departed_.erasable;
-  const int gone = static_cast<int>(erasable.size()), stay = static_cast<int>(departed_.waiting.size());
+void DepartedCard::show_found(const Stored<Found>& found) {
+  if (!found) return report_failure(found.error());
+  found_ = *found;
+  const std::vector<DepartedStudent>& erasable = found_.departed.erasable;
+  const int gone = static_cast<int>(erasable.size()), stay = static_cast<int>(found_.departed.waiting.size());
   QString text = gone == 0 ? tr("Nobody has been away that long.") : tr("%n student(s): %1", nullptr, gone).arg(names_of(erasable));
   if (erasable.size() > kNamesShown) text += QStringLiteral(" …");
   if (stay > 0) text += u'\n' + tr("%n student(s) stay: an assessment of theirs is not released.", nullptr, stay);
@@ -125,12 +130,14 @@ void DepartedCard::show_found(const Stored<DepartedStudents>& departed) {
 }
 
 void DepartedCard::erase() {
-  if (working_ || departed_.erasable.empty()) return;
-  const int gone = static_cast<int>(departed_.erasable.size());
+  const DepartedStudents& departed = found_.departed;
+  if (working_ || departed.erasable.empty()) return;
+  const int gone = static_cast<int>(departed.erasable.size());
   QString more = tr("Names, numbers and PINs go, and every text about their attempts. The attempts stay under a pseudonym. "
                     "It cannot be undone; backups made before still hold the names.");
-  if (departed_.doubt) more.prepend(clock_question_text(*departed_.doubt) + u' ');
-  const AskedErasure asked{years(), departed_.doubt ? ClockTrust::confirmed : ClockTrust::checked, departed_.erasable};
+  if (departed.doubt) more.prepend(clock_question_text(*departed.doubt) + u' ');
+  if (const QString elsewhere = departed_elsewhere_text(found_.others); !elsewhere.isEmpty()) more.prepend(elsewhere + u' ');
+  const AskedErasure asked{years(), departed.doubt ? ClockTrust::confirmed : ClockTrust::checked, departed.erasable};
   ports_.ask(this, {tr("Erase %n student(s) for good?", nullptr, gone), more, tr("Erase"), true}, [self = QPointer(this), asked](bool yes) {
     if (!self || !yes || self->working_) return;
     self->working_ = true;

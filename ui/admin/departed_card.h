@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
+#include "storage/exchange/trust.h"
 #include "storage/retention/departed.h"
 #include "ui/modules.h"
 #include "ui/session/records_task.h"
@@ -40,10 +42,14 @@ class DepartedCard : public Card, public AtWork {
   void erased();
 
  private:
-  static Stored<DepartedStudents> read_departed(const RecordsBeside& records, const Actor& actor, int years);
+  struct Found {
+    DepartedStudents departed;
+    std::vector<OtherKey> others;
+  };
+  static Stored<Found> read_departed(const RecordsBeside& records, const Actor& actor, int years);
   int years() const;
   void look();
-  void show_found(const Stored<DepartedStudents>& departed);
+  void show_found(const Stored<Found>& found);
   /// nullopt: nobody is, for others have left by now than the question named.
   void show_erased(const Stored<std::optional<DepartedStudents>>& outcome);
   void report_failure(const StorageFailure& failure);
@@ -52,7 +58,7 @@ class DepartedCard : public Card, public AtWork {
   Actor actor_;
   const Ports& ports_;
   bool working_ = false;
-  DepartedStudents departed_;
+  Found found_;
   BackgroundTask task_;
   QLabel* text_ = nullptr;
   QPlainTextEdit* names_ = nullptr;  // of all, where the text names the first alone

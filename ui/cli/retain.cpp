@@ -10,6 +10,7 @@
 #include "ui/cli/text.h"
 #include "ui/cli/verb.h"
 #include "ui/modules.h"
+#include "ui/text/exchange_text.h"
 
 namespace cusp::ui {
 namespace {
@@ -38,6 +39,13 @@ void print_departed(const DepartedStudents& departed, const RetainOptions& o) {
   if (waiting > 0) print_line(plain(CliText::tr("%n student(s) stay: an assessment of theirs is not released.", nullptr, waiting)));
 }
 
+/// Of a dry run: who reads it has erased nobody yet.
+void print_elsewhere(StorageContext& context, const Actor& actor) {
+  const auto known = other_keys(context, actor);
+  const QString text = known ? departed_elsewhere_text(*known) : describe(known.error()).line();
+  if (!text.isEmpty()) print_line(plain(text));
+}
+
 int retain(const RetainOptions& o) {
   if (const auto no = refuse_outputs({o.json.file}, o.db)) return failed(*no);
   auto store = open_records(o.db);
@@ -56,6 +64,7 @@ int retain(const RetainOptions& o) {
   const bool written = o.json.write(json);
   // Also if the file cannot be written: nothing else names who is erased.
   if (!o.json.on_stdout()) print_departed(*departed, o);
+  if (!o.json.on_stdout() && o.dry_run) print_elsewhere(context, account->actor());
   if (departed->failed) return failed(describe(*departed->failed));
   if (departed->stopped) return failed(CliText::tr("Stopped before the last student. Those who are named are erased."));
   return written ? kDone : kFailed;

@@ -1,5 +1,7 @@
 #include "ui/text/exchange_text.h"
 
+#include <algorithm>
+
 #include "ui/text/text.h"
 #include "ui/widgets/format.h"
 
@@ -55,6 +57,15 @@ QStringList read_in_text(const ReadIn& read) {
     out += Text::tr("%1 was changed here too; the office’s account counts.").arg(isolate(text(number)));
   }
   return out;
+}
+
+QString departed_elsewhere_text(const std::vector<OtherKey>& known) {
+  const auto knows = [&known](KeyRole role) { return std::ranges::any_of(known, [role](const OtherKey& key) { return key.role == role; }); };
+  if (knows(KeyRole::office)) {
+    return Text::tr("Erase at the office instead: its next file erases them here, too. Attempts at other stations do not count here, and who is erased here "
+                    "stays so, also if the office’s next file brings the account.");
+  }
+  return knows(KeyRole::station) ? Text::tr("Attempts at other stations count once their files are read in: read the newest ones first.") : QString();
 }
 
 Message describe_exchange_failure(const StorageFailure& f, const QString& file) {

@@ -21,6 +21,9 @@ QString outcome_text(ReadOutcome outcome);
 /// What was new, what waits, and each account that was changed at both places, a sentence each.
 QStringList read_in_text(const ReadIn& read);
 
+/// Before students who left are erased: what other stations may know of them, and what an erasure here means. Empty: none is known.
+QString departed_elsewhere_text(const std::vector<OtherKey>& known);
+
 /// Of giving out, looking into or reading in a file, and of giving out an appeal pack: names the file where storage means its own database.
 Message describe_exchange_failure(const StorageFailure& failure, const QString& file);
 

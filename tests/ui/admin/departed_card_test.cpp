@@ -5,6 +5,7 @@
 #include <QPlainTextEdit>
 #include <QTest>
 
+#include "storage/exchange/trust.h"
 #include "tests/modules.h"
 #include "tests/ui/admin/admin_pages.h"
 #include "tests/ui/desk_records.h"
@@ -80,6 +81,27 @@ TEST_F(Departed, AreAllNamedBeforeTheyAreErased) {
   for (const char* number : {"1", "2", "3", "4", "5"})
     EXPECT_TRUE(list->toPlainText().contains(QStringLiteral("Student %1, %1 (").arg(QLatin1String(number)))) << list->toPlainText().toStdString();
   EXPECT_FALSE(list->toPlainText().contains(QStringLiteral("Sana Ito")));
+}
+
+TEST_F(Departed, OfAStationThatKnowsAnOfficeAreToBeErasedThere) {
+  DeskRecords office;
+  const auto signed_key = own_key(office.store().context(), office.administrator().actor());
+  ASSERT_TRUE(signed_key);
+  const auto key = public_key_from(*signed_key);
+  ASSERT_TRUE(key);
+  answer = false;
+  PeoplePage alone(records.store(), admin.actor(), ports);
+  looked(alone).erase();
+  ASSERT_TRUE(asked);
+  EXPECT_FALSE(asked->more.contains(QStringLiteral("station"))) << asked->more.toStdString();
+  ASSERT_TRUE(trust(records.store().context(), admin.actor(), *key, KeyRole::station));
+  PeoplePage at_office(records.store(), admin.actor(), ports);
+  looked(at_office).erase();
+  EXPECT_TRUE(asked->more.contains(QStringLiteral("read the newest ones first"))) << asked->more.toStdString();
+  ASSERT_TRUE(trust(records.store().context(), admin.actor(), *key, KeyRole::office));
+  PeoplePage at_station(records.store(), admin.actor(), ports);
+  looked(at_station).erase();
+  EXPECT_TRUE(asked->more.contains(QStringLiteral("Erase at the office instead"))) << asked->more.toStdString();
 }
 
 TEST_F(Departed, AreErasedAndLeaveTheList) {
