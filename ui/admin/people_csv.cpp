@@ -207,6 +207,7 @@ Result<std::vector<ListedStudent>, ListFailure> read_student_list(const QByteArr
       // An older program kept the marks and blanks of its list.
       const bool same = without_marks_but_joiners(QString::fromStdString(it->second->name).normalized(QString::NormalizationForm_C)) == student.name;
       student.state = same ? ListedStudent::State::known : ListedStudent::State::other_name;
+      student.switched_off = same && it->second->disabled;
     }
     if (student.problem != ListedStudent::Problem::none) student.state = ListedStudent::State::bad;
     out.push_back(std::move(student));

@@ -36,6 +36,7 @@ struct ListedStudent {
   QString number, name, pin, cohort;  // pin and cohort may be empty
   State state = State::fresh;
   bool made = false;  // the account, by this import
+  bool switched_off = false;  // the account that is known: nobody signs in with it
   Problem problem = Problem::none;
 };
 

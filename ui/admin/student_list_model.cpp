@@ -14,7 +14,7 @@ using Problem = ListedStudent::Problem;
 QString state_text(const ListedStudent& student) {
   switch (student.state) {
     case State::fresh: return StudentListModel::tr("new");
-    case State::known: return StudentListModel::tr("has an account");
+    case State::known: return student.switched_off ? StudentListModel::tr("has an account, switched off") : StudentListModel::tr("has an account");
     case State::other_name: return StudentListModel::tr("number has another name");
     case State::bad: break;
   }
@@ -30,10 +30,10 @@ QString state_text(const ListedStudent& student) {
   return {};
 }
 
-Chip::Kind state_chip(State state) {
-  switch (state) {
+Chip::Kind state_chip(const ListedStudent& student) {
+  switch (student.state) {
     case State::fresh: return Chip::Kind::plain;
-    case State::known: return Chip::Kind::good;
+    case State::known: return student.switched_off ? Chip::Kind::look : Chip::Kind::good;
     case State::other_name: return Chip::Kind::look;
     case State::bad: break;
   }
@@ -54,7 +54,7 @@ int StudentListModel::columnCount(const QModelIndex& parent) const { return pare
 
 QVariant StudentListModel::data(const QModelIndex& index, int role) const {
   const ListedStudent& s = students_[static_cast<std::size_t>(index.row())];
-  if (role == ChipRole && index.column() == kState) return static_cast<int>(state_chip(s.state));
+  if (role == ChipRole && index.column() == kState) return static_cast<int>(state_chip(s));
   if (role == BoldRole) return index.column() == kName;
   if (role == Qt::TextAlignmentRole && index.column() == kLine) return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
