@@ -231,7 +231,8 @@ std::optional<Message> describe_exchange(const StorageFailure& f) {
       return Message{Text::tr("This station’s key was revoked here."), Text::tr("Key %1, station %2. Nothing was changed.").arg(key_in(f), where)};
     case StorageError::put_back:
       return Message{Text::tr("This station was put back to an old copy."),
-                     Text::tr("Station %1 has given out another file under number %2 before. Give it a new key and trust that; nothing was changed.").arg(where, which)};
+                     Text::tr("Station %1 has given out another file under number %2 before. Close Cusp there, move its file that ends in .key away, "
+                              "and start Cusp: it makes a new key. Make that known here; nothing was changed.").arg(where, which)};
     case StorageError::differs:
       return Message{Text::tr("The file says otherwise of something that is here already."), Text::tr("Look at %1, %2. Nothing was changed.").arg(where, which)};
     default: return std::nullopt;
