@@ -79,6 +79,18 @@ Pages pages_of(Database& db) {
   return pages ? pages->value_or(Pages{}) : Pages{};
 }
 
+/// disk_full before anything is written: a copy that fills the disk holds up every attempt that is recorded there meanwhile.
+Stored<void> check_room(Database& db, const fs::path& into) {
+  std::error_code error;
+  fs::path there = fs::absolute(into, error);
+  while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
+  const fs::space_info disk = fs::space(there, error);
+  const Pages pages = pages_of(db);
+  // Some network drives know no sizes.
+  if (error || disk.capacity == 0 || disk.available / pages.bytes >= pages.used) return {};
+  return fail(StorageError::disk_full, into.string());
+}
+
 /// Reports pages: SQLite does not count what it has copied, but the file grows.
 Stored<void> copy_by_pages(Database& from, const fs::path& to, WorkSteps& steps) {
   const Pages pages = pages_of(from);
@@ -191,6 +203,7 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
   const bool is_new = fs::symlink_status(into, ignored).type() == fs::file_type::not_found;
   const std::int64_t now = context.clock();
   for (const fs::path& left : abandoned_in(into)) remove_copy(left);  // thin_backups() reports what stays
+  if (auto room = check_room(context.db, into); !room) return std::unexpected(room.error());
   const auto folder = new_folder(into, "cusp", now);
   const auto take_back_all = [&] {
     if (folder) remove_copy(*folder);

@@ -35,7 +35,8 @@ struct Backup {
 
 /// A new folder in `into`, which is made at need. Needs manage_station, at the end as the records have it then; without an actor the
 /// program makes its daily one.
-/// The copy is opened, checked for damage and synced. After a failure no part of it is left, nor `into` if it was made for it.
+/// disk_full where the disk has no room for a copy: nothing is written. The copy is opened, checked for damage and synced. After a failure
+/// no part of it is left, nor `into` if it was made for it.
 /// Removes what a backup there, or restore_backup() of the database, left when it was cut off more than a day ago. `watch`: pages of the
 /// copy, then all of all while it is checked. stopped, as any failure, leaves no entry in the log.
 Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& actor, const std::filesystem::path& into,

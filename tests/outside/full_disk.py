@@ -11,6 +11,7 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from desk import Desk, check, integrity, one_sentence  # noqa: E402
+from records import make_school  # noqa: E402
 
 
 @contextlib.contextmanager
@@ -51,6 +52,23 @@ def read_everything(desk, database, session, score, where):
     check(desk.json("grade", database, session)["score"] == score, f"{where}: the grade that is kept")
 
 
+def refuse_a_backup(desk):
+    """A disk with room for half a copy: a backup there is refused, and writes nothing that would fill the disk meanwhile."""
+    database, disk, into = desk.path("school.db"), desk.path("disk"), desk.path("disk", "backups")
+    make_school(database)
+    status, _, err = desk.run("exchange", "keys", "--db", database, "--as", "admin", CUSP_PASSWORD="correct horse")
+    check(status == 0, f"the file takes its present schema: {err}")
+    os.mkdir(into)
+    about = os.statvfs(disk)
+    with open(os.path.join(disk, "half"), "wb") as f:
+        f.write(b"x" * (about.f_bavail * about.f_frsize - os.path.getsize(database) // 2))
+    before = os.stat(into).st_mtime_ns
+    status, _, err = desk.run("backup", database, into, "--as", "admin", CUSP_PASSWORD="correct horse")
+    check(status == 1 and "disk is full" in err, f"a backup without room: exit {status}: {err}")
+    check(os.stat(into).st_mtime_ns == before, "a backup without room began to write")
+    os.remove(os.path.join(disk, "half"))
+
+
 def main():
     with Desk(os.path.abspath(sys.argv[1])) as desk, small_disk(desk.path("disk")) as mounted:
         if not mounted:
@@ -63,6 +81,7 @@ def main():
         check(status == 0, f"play: {err}")
         session = out.strip()
         score = desk.json("history", database, "list")[0]["score"]
+        refuse_a_backup(desk)
         leave_a_log(database)
 
         fill(desk.path("disk"))
