@@ -63,4 +63,43 @@ Stored<std::optional<StorageFailure>> clock_doubt(StorageContext& context, std::
   return std::optional<StorageFailure>{};
 }
 
+namespace {
+
+/// Whether the entries after this number lie so far apart, leaving out those that are dated later than `latest_utc_us`.
+Stored<bool> used_since(StorageContext& context, std::int64_t sequence, std::int64_t latest_utc_us) {
+  Statement newest_first = context.db.prepare("SELECT at, sequence FROM audit_log ORDER BY number DESC");
+  newest_first.bind();
+  std::int64_t earliest = INT64_MAX, newest = INT64_MIN;
+  while (true) {
+    const auto more = newest_first.step();
+    if (!more) return std::unexpected(more.error());
+    if (!*more || newest_first.row().integer(1) <= sequence) return false;
+    const std::int64_t at = newest_first.row().integer(0);
+    if (at > latest_utc_us) continue;
+    earliest = std::min(earliest, at);
+    newest = std::max(newest, at);
+    if (newest - earliest >= kShortestUse_us) return true;
+  }
+}
+
+struct LateAttempt {
+  std::int64_t at_utc_us = 0, sequence = 0;
+};
+
+}  // namespace
+
+Stored<std::optional<std::int64_t>> clock_behind(StorageContext& context) {
+  constexpr std::int64_t kDay = 86'400'000'000;
+  const std::int64_t latest = context.clock() + kDay;
+  const auto late = context.db.first(
+      "SELECT m.started_at, m.sequence FROM session_summaries m INDEXED BY summaries_by_time JOIN sessions s ON s.id = m.session "
+      "WHERE m.listed = 1 AND m.started_at > ?1 AND s.station = ?2 ORDER BY m.started_at DESC LIMIT 1",
+      [](Row row) { return LateAttempt{row.integer(0), row.integer(1)}; }, latest, context.station);
+  if (!late) return std::unexpected(late.error());
+  if (!*late) return std::optional<std::int64_t>{};
+  const auto used = used_since(context, (*late)->sequence, latest);
+  if (!used) return std::unexpected(used.error());
+  return *used ? std::optional<std::int64_t>{} : std::optional((*late)->at_utc_us);
+}
+
 }  // namespace cusp::storage

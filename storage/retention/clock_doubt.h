@@ -24,4 +24,9 @@ inline constexpr std::int64_t kShortestUse_us = 14 * std::int64_t{86'400'000'000
 /// counts in the log alone. `age_us`: what is older goes. Scans the log.
 Stored<std::optional<StorageFailure>> clock_doubt(StorageContext& context, std::int64_t age_us);
 
+/// The date of this station's newest attempt, if it lies more than a day after now: a computer that starts at an old date would put each
+/// attempt before those of the years between, and close what is assigned. nullopt also if the log shows kShortestUse_us of use since: then
+/// the attempt had its date of a clock that was ahead. Reads the log back to the attempt.
+Stored<std::optional<std::int64_t>> clock_behind(StorageContext& context);
+
 }  // namespace cusp::storage

@@ -174,6 +174,7 @@ class Desktop : public QMainWindow {
   void show_way_back(const Message& why);
   bool records_damaged() const;
   Stored<std::unique_ptr<Store>> open_records(StoreOptions options = {}) const;
+  /// What staff has to know of the records before it relies on them, or of the clock before anybody drills.
   std::optional<Message> incident();
   std::optional<Message> why_reading_only() const;
   void replace_root(QWidget* root);

@@ -2,6 +2,7 @@
 
 #include <QPointer>
 
+#include "storage/retention/clock_doubt.h"
 #include "ui/admin/way_back.h"
 #include "ui/app/desktop.h"
 #include "ui/app/quick_start.h"
@@ -96,8 +97,10 @@ void Desktop::show_way_back(const Message& why) {
 }
 
 std::optional<Message> Desktop::incident() {
-  const auto& met = store_->context().incident;
-  return met ? std::optional(describe_incident(*met, database_)) : std::nullopt;
+  if (const auto& met = store_->context().incident) return describe_incident(*met, database_);
+  const auto newest = clock_behind(store_->context());
+  if (newest && *newest) return describe_clock_behind(**newest, store_->context().clock());
+  return std::nullopt;
 }
 
 std::optional<Message> Desktop::why_reading_only() const {

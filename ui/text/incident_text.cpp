@@ -33,6 +33,13 @@ Message describe_incident(std::string_view incident, const std::filesystem::path
   return message;
 }
 
+Message describe_clock_behind(std::int64_t newest_attempt_utc_us, std::int64_t now_utc_us) {
+  const auto day = [](std::int64_t utc_us) { return installed_locale().toString(local_time(utc_us), date_pattern()); };
+  return {Text::tr("This computer’s clock is behind."),
+          Text::tr("It shows %1, and the newest attempt is of %2. Set it before anybody drills: the order of attempts and what is assigned follow it.")
+              .arg(day(now_utc_us), day(newest_attempt_utc_us))};
+}
+
 Message describe_reading_only(const StorageFailure& cause, const std::filesystem::path& database) {
   return {describe(cause).what, Text::tr("Results and reports can be read. Nothing can be drilled or changed until %1 can be "
                                       "written again.")

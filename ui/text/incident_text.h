@@ -14,6 +14,9 @@ namespace cusp::ui {
 /// What happened, what it means, and what to do about it. `incident`: an action of storage/records/sealing.h.
 Message describe_incident(std::string_view incident, const std::filesystem::path& database);
 
+/// Of clock_behind(): by the dates that this names, attempts would stand in another order than they came.
+Message describe_clock_behind(std::int64_t newest_attempt_utc_us, std::int64_t now_utc_us);
+
 /// The records can only be read, for the reason that `cause` names.
 Message describe_reading_only(const StorageFailure& cause, const std::filesystem::path& database);
 
