@@ -30,7 +30,7 @@ WayBack::WayBack(std::filesystem::path database, std::filesystem::path backups, 
   body->setSpacing(px(12));
   body->addWidget(new PageHead(why.what));
   body->addWidget(make_paragraph(why.more));
-  body->addWidget(make_paragraph(tr("A backup can take the place of the records. The damaged files are moved to a folder beside them; nothing is deleted or overwritten. "
+  body->addWidget(make_paragraph(tr("A backup can take the place of the records. The files that stand there now are moved to a folder beside them; nothing is deleted or overwritten. "
                            "Attempts after the backup stay in that folder alone.")));
   band_ = new Band;
   body->addWidget(band_);
@@ -122,7 +122,7 @@ void WayBack::show_went_back(const Stored<WentBack>& done) {
     return;
   }
   Q_EMIT went_back({tr("The records are those of %1.").arg(format_day_time(local_time(done->backup.made_utc_us))),
-                    tr("What was damaged is kept in %1.").arg(QString::fromStdString(done->aside.string()))});
+                    tr("What stood there before is kept in %1.").arg(QString::fromStdString(done->aside.string()))});
 }
 
 void WayBack::enable(bool on) {

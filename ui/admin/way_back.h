@@ -1,5 +1,5 @@
-/// Records that cannot be read whole: a backup takes their place, and what was damaged is kept in a folder beside it. Thread: GUI;
-/// the backup is checked and copied in the background.
+/// Records that cannot be read whole, or those of a new computer: a backup takes their place, and what stood there is kept in a folder
+/// beside it. Thread: GUI; the backup is checked and copied in the background.
 #pragma once
 
 #include <QWidget>

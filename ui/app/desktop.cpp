@@ -113,7 +113,7 @@ void Desktop::show_sign_in(SignIn* page) {
   if (const auto message = incident()) page->show_incident(*message);
   if (const auto why = why_reading_only()) page->show_reading_only(*why);
   if (records_damaged()) page->offer_way_back();
-  connect(page, &SignIn::way_back_wanted, this, [this] { show_way_back(describe(*reading_only_)); });
+  connect(page, &SignIn::way_back_wanted, this, [this] { show_way_back(why_going_back()); });
   if (!opengl_allowed()) page->show_no_drilling({ToothView::pictures_off(), tr("The next start tries them again.")});
   if (!behind_lock_.empty()) page->show_note({tr("Some work is not saved."), behind_lock_text()});
   connect(page, &SignIn::try_again, this, &Desktop::start);

@@ -172,6 +172,8 @@ class Desktop : public QMainWindow {
   void show_refusal(const Message& message);
   /// Closes the records: a backup takes their place.
   void show_way_back(const Message& why);
+  /// From the sign-in: damage, or a new computer.
+  Message why_going_back() const;
   bool records_damaged() const;
   Stored<std::unique_ptr<Store>> open_records(StoreOptions options = {}) const;
   /// What staff has to know of the records before it relies on them, or of the clock before anybody drills.

@@ -96,6 +96,11 @@ void Desktop::show_way_back(const Message& why) {
   });
 }
 
+Message Desktop::why_going_back() const {
+  if (reading_only_) return describe(*reading_only_);
+  return {tr("Nobody manages these records yet."), tr("If this computer takes the place of another one, go back to a backup of that one.")};
+}
+
 std::optional<Message> Desktop::incident() {
   if (const auto& met = store_->context().incident) return describe_incident(*met, database_);
   const auto newest = clock_behind(store_->context());

@@ -63,7 +63,7 @@ class SignIn : public QWidget {
   void administrator_there();
   void try_it();
   void try_again();
-  void way_back_wanted();  // a backup in the place of damaged records
+  void way_back_wanted();  // a backup in the place of damaged records, or of a new computer's
   void language_chosen(const QString& code);
   void theme_toggled();
 

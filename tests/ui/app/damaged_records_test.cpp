@@ -73,7 +73,7 @@ TEST_F(DamagedRecords, offer_a_way_back_to_a_backup_and_stay_beside_it) {
   ASSERT_TRUE(found(*page));
   page->act()->click();
   ASSERT_TRUE(QTest::qWaitFor([&] { return qobject_cast<SignIn*>(desktop->page()) != nullptr; }, 60'000));
-  EXPECT_TRUE(bands().contains(QStringLiteral("What was damaged is kept in")));
+  EXPECT_TRUE(bands().contains(QStringLiteral("What stood there before is kept in")));
   const auto again = desktop->store()->accounts.sign_in_with_pin("1", "271828");
   ASSERT_TRUE(again);
   EXPECT_TRUE(desktop->store()->history.details(again->actor(), session));
@@ -180,6 +180,31 @@ TEST_F(DamagedRecords, offer_another_folder_while_that_of_the_backups_is_read) {
   page.choose_folder();
   ASSERT_TRUE(found(page));
   EXPECT_EQ(page.findChild<Table*>()->model()->rowCount(), 1);
+}
+
+TEST_F(DamagedRecords, are_not_needed_to_go_back_to_a_backup_on_a_new_computer) {
+  const SessionId session = records.attempt(records.student("1", "Lena Brandt", "271828"), "channel-1", 78, 426);
+  const std::filesystem::path stick = folder.filePath(QStringLiteral("stick")).toStdString();
+  ASSERT_TRUE(make_backup(records.store().context(), records.administrator().actor(), stick));
+  Ports ports = agreeing();
+  ports.pick_file = [&stick](QWidget*, const FileWish&, const std::function<void(const QString&)>& then) { then(QString::fromStdString(stick.string())); };
+  desktop = std::make_unique<Desktop>(settings, ports, folder.filePath(QStringLiteral("new.db")).toStdString());
+  desktop->start();
+  desktop->show();
+  QPushButton* back = nullptr;
+  for (QPushButton* button : desktop->page()->findChildren<QPushButton*>())
+    if (button->isVisibleTo(desktop->page()) && button->text() == QStringLiteral("Go back to a backup")) back = button;
+  ASSERT_NE(back, nullptr);
+  back->click();
+  auto* page = qobject_cast<WayBack*>(desktop->page());
+  ASSERT_NE(page, nullptr);
+  page->choose_folder();
+  ASSERT_TRUE(found(*page));
+  page->act()->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return qobject_cast<SignIn*>(desktop->page()) != nullptr; }, 60'000)) << page->message().toStdString();
+  const auto lena = desktop->store()->accounts.sign_in_with_pin("1", "271828");
+  ASSERT_TRUE(lena);
+  EXPECT_TRUE(desktop->store()->history.details(lena->actor(), session));
 }
 
 TEST_F(DamagedRecords, that_can_be_read_in_part_are_read_and_offer_the_way_back) {
