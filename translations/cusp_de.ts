@@ -799,6 +799,18 @@
         <source>Folder</source>
         <translation>Ordner</translation>
     </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Daily</source>
+        <translation>Täglich</translation>
+    </message>
+    <message>
+        <source>By an administrator</source>
+        <translation>Von der Verwaltung</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Band</name>
@@ -1916,6 +1928,18 @@
     <message>
         <source>%1 cannot be measured where tooth and neighbours are of plastic: both are one material. Remove it, or the neighbours.</source>
         <translation>%1 lässt sich nicht messen, wo Zahn und Nachbarn aus Kunststoff sind: Beide sind ein Material. Entfernen Sie das Kriterium oder die Nachbarn.</translation>
+    </message>
+    <message>
+        <source>An attempt that cuts the target and nothing else fails: %1.</source>
+        <translation>Ein Versuch, der das Ziel und sonst nichts abträgt, ist nicht bestanden: %1.</translation>
+    </message>
+    <message>
+        <source>An attempt that cuts the target and nothing else gets %1 points, and the pass mark is %2. Fit the bands to the target.</source>
+        <translation>Ein Versuch, der das Ziel und sonst nichts abträgt, bekommt %1 Punkte, und die Bestehensgrenze ist %2. Passen Sie die Stufen an das Ziel an.</translation>
+    </message>
+    <message>
+        <source>%1 earns its points whatever is measured. Set what earns them, or remove it.</source>
+        <translation>%1 bringt seine Punkte, was auch gemessen wird. Legen Sie fest, wofür es sie gibt, oder entfernen Sie es.</translation>
     </message>
 </context>
 <context>
@@ -3382,6 +3406,14 @@
         <source>the target names mesial and distal walls, and the file does not state where mesial lies</source>
         <translation>das Ziel benennt mesiale und distale Wände, und die Datei gibt nicht an, wo mesial liegt</translation>
     </message>
+    <message>
+        <source>an attempt that cuts the target and nothing else does not pass</source>
+        <translation>ein Versuch, der das Ziel und sonst nichts abträgt, besteht nicht</translation>
+    </message>
+    <message>
+        <source>%1 earns full points whatever is measured</source>
+        <translation>%1 bringt volle Punkte, was auch gemessen wird</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
@@ -3972,6 +4004,15 @@
         <source>Nobody was erased. Check the list, then erase.</source>
         <translation>Niemand wurde gelöscht. Prüfen Sie die Liste und löschen Sie dann.</translation>
     </message>
+    <message>
+        <source>%1, %2 (%3)</source>
+        <comment>name, number (day of the newest attempt)</comment>
+        <translation>%1, %2 (%3)</translation>
+    </message>
+    <message>
+        <source>Students who would be erased</source>
+        <translation>Personen, die gelöscht würden</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Desktop</name>
@@ -4286,6 +4327,14 @@
         <source>Practice, attempt %1, not counted</source>
         <translation>Training, Versuch %1, zählt nicht</translation>
     </message>
+    <message>
+        <source>Nobody manages these records yet.</source>
+        <translation>Niemand verwaltet diese Aufzeichnungen bisher.</translation>
+    </message>
+    <message>
+        <source>If this computer takes the place of another one, go back to a backup of that one.</source>
+        <translation>Ersetzt dieser Computer einen anderen, gehen Sie zu einer von dessen Sicherungen zurück.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DeviationLegend</name>
@@ -4542,6 +4591,10 @@
     <message>
         <source>The time is over. Measuring the tooth</source>
         <translation>Die Zeit ist um. Der Zahn wird vermessen</translation>
+    </message>
+    <message>
+        <source>An attempt is running</source>
+        <translation>Ein Versuch läuft</translation>
     </message>
 </context>
 <context>
@@ -6250,6 +6303,18 @@
         <source>2. Slide the bur over the tooth with the mouse or the arrow keys. Push with the wheel or Page Down. The bar at the right shows the force, the bar at the left the depth.</source>
         <translation>2. Den Bohrer mit der Maus oder den Pfeiltasten über den Zahn führen. Mit dem Mausrad oder Bild ab drücken. Der Balken rechts zeigt die Kraft, der Balken links die Tiefe.</translation>
     </message>
+    <message>
+        <source>find an exercise by its name</source>
+        <translation>eine Übung nach ihrem Namen suchen</translation>
+    </message>
+    <message>
+        <source>hide the panel at the right, show it</source>
+        <translation>die Leiste rechts ausblenden, einblenden</translation>
+    </message>
+    <message>
+        <source>have the values read aloud (screen reader)</source>
+        <translation>die Werte vorlesen lassen (Bildschirmleser)</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::HistoryCharts</name>
@@ -6957,6 +7022,17 @@
     <message>
         <source>Does not report</source>
         <translation>Meldet sich nicht</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::KeptBand</name>
+    <message>
+        <source>What is changed here holds until Cusp is closed.</source>
+        <translation>Was hier geändert wird, gilt, bis Cusp geschlossen wird.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written, so the next start does not know it.</source>
+        <translation>%1 kann nicht geschrieben werden, darum kennt der nächste Start es nicht.</translation>
     </message>
 </context>
 <context>
@@ -8634,6 +8710,10 @@
     <message>
         <source>%1 cannot be written: %2.</source>
         <translation>%1 kann nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>Switched off, so that nobody signs in with them: %1. Switch them on under People.</source>
+        <translation>Ausgeschaltet, sodass sich niemand damit anmeldet: %1. Schalten Sie sie unter „Personen“ ein.</translation>
     </message>
 </context>
 <context>
@@ -10948,6 +11028,23 @@
         <source>Nothing was changed. Make it anew from its scan or its surfaces.</source>
         <translation>Nichts wurde geändert. Erstellen Sie es neu aus seinem Scan oder seinen Oberflächen.</translation>
     </message>
+    <message>
+        <source>%1 of %2 lie on the new volume. Keep them if it shows the same tooth in the same place.</source>
+        <extracomment>%1, %2: numbers of landmarks</extracomment>
+        <translation>%1 von %2 liegen auf dem neuen Volumen. Behalten Sie sie, wenn es denselben Zahn am selben Ort zeigt.</translation>
+    </message>
+    <message>
+        <source>Keep the landmarks?</source>
+        <translation>Landmarken behalten?</translation>
+    </message>
+    <message>
+        <source>Keep them</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Leave them out</source>
+        <translation>Weglassen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::StartPage</name>
@@ -11333,6 +11430,10 @@ Ihr bester davor</translation>
         <source>The folder cannot be read: %1.</source>
         <translation>Der Ordner kann nicht gelesen werden: %1.</translation>
     </message>
+    <message>
+        <source>The folder is being read.</source>
+        <translation>Der Ordner wird gelesen.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::StationsModel</name>
@@ -11549,6 +11650,10 @@ Ihr bester davor</translation>
     <message>
         <source>too long for an account</source>
         <translation>zu lang für ein Konto</translation>
+    </message>
+    <message>
+        <source>has an account, switched off</source>
+        <translation>hat ein Konto, ausgeschaltet</translation>
     </message>
 </context>
 <context>
@@ -13658,10 +13763,6 @@ Ihr bester davor</translation>
         <translation>Diese Station wurde auf eine alte Kopie zurückgesetzt.</translation>
     </message>
     <message>
-        <source>Station %1 has given out another file under number %2 before. Give it a new key and trust that; nothing was changed.</source>
-        <translation>Station %1 hat unter der Nummer %2 schon eine andere Datei herausgegeben. Geben Sie ihr einen neuen Schlüssel und vertrauen Sie diesem; nichts wurde geändert.</translation>
-    </message>
-    <message>
         <source>The file says otherwise of something that is here already.</source>
         <translation>Die Datei sagt anderes über etwas, das schon hier ist.</translation>
     </message>
@@ -14342,6 +14443,26 @@ Ihr bester davor</translation>
         <source>Admitted: %1. In use: %2. Ask the staff to choose another one on the page Device.</source>
         <translation>Zugelassen: %1. In Gebrauch: %2. Bitten Sie das Personal, auf der Seite Gerät ein anderes zu wählen.</translation>
     </message>
+    <message>
+        <source>Erase at the office instead: its next file erases them here, too. Attempts at other stations do not count here, and who is erased here stays so, also if the office’s next file brings the account.</source>
+        <translation>Löschen Sie stattdessen in der Zentrale: Deren nächste Datei löscht sie auch hier. Versuche an anderen Stationen zählen hier nicht, und wer hier gelöscht ist, bleibt es, auch wenn die nächste Datei der Zentrale das Konto bringt.</translation>
+    </message>
+    <message>
+        <source>Attempts at other stations count once their files are read in: read the newest ones first.</source>
+        <translation>Versuche an anderen Stationen zählen, sobald deren Dateien eingelesen sind: Lesen Sie zuerst die neuesten ein.</translation>
+    </message>
+    <message>
+        <source>This computer’s clock is behind.</source>
+        <translation>Die Uhr dieses Computers geht nach.</translation>
+    </message>
+    <message>
+        <source>It shows %1, and the newest attempt is of %2. Set it before anybody drills: the order of attempts and what is assigned follow it.</source>
+        <translation>Sie zeigt %1, und der neueste Versuch ist vom %2. Stellen Sie sie, bevor jemand bohrt: Die Reihenfolge der Versuche und was zugewiesen ist, richten sich nach ihr.</translation>
+    </message>
+    <message>
+        <source>Station %1 has given out another file under number %2 before. Close Cusp there, move its file that ends in .key away, and start Cusp: it makes a new key. Make that known here; nothing was changed.</source>
+        <translation>Station %1 hat unter Nummer %2 schon eine andere Datei ausgegeben. Schließen Sie dort Cusp, verschieben Sie die Datei, deren Name auf .key endet, in einen anderen Ordner und starten Sie Cusp: Es erstellt einen neuen Schlüssel. Machen Sie diesen hier bekannt; nichts wurde geändert.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::TextsForm</name>
@@ -14847,10 +14968,6 @@ Ihr bester davor</translation>
         <translation>Zu einer Sicherung zurück</translation>
     </message>
     <message>
-        <source>A backup can take the place of the records. The damaged files are moved to a folder beside them; nothing is deleted or overwritten. Attempts after the backup stay in that folder alone.</source>
-        <translation>Eine Sicherung kann an die Stelle der Aufzeichnungen treten. Die beschädigten Dateien kommen in einen Ordner daneben; nichts wird gelöscht oder überschrieben. Versuche nach der Sicherung bleiben nur in diesem Ordner.</translation>
-    </message>
-    <message>
         <source>Go back to this backup</source>
         <translation>Zu dieser Sicherung zurück</translation>
     </message>
@@ -14905,10 +15022,6 @@ Ihr bester davor</translation>
         <translation>Die Aufzeichnungen sind die vom %1.</translation>
     </message>
     <message>
-        <source>What was damaged is kept in %1.</source>
-        <translation>Was beschädigt war, liegt in %1.</translation>
-    </message>
-    <message>
         <source>Backups</source>
         <translation>Sicherungen</translation>
     </message>
@@ -14923,6 +15036,18 @@ Ihr bester davor</translation>
     <message>
         <source>It is of another station, whose records take the place of these.</source>
         <translation>Sie stammt von einer anderen Station, deren Aufzeichnungen an die Stelle der hiesigen treten.</translation>
+    </message>
+    <message>
+        <source>A backup can take the place of the records. The files that stand there now are moved to a folder beside them; nothing is deleted or overwritten. Attempts after the backup stay in that folder alone.</source>
+        <translation>Eine Sicherung kann an die Stelle der Aufzeichnungen treten. Die Dateien, die jetzt dort liegen, kommen in einen Ordner daneben; nichts wird gelöscht oder überschrieben. Versuche nach der Sicherung bleiben nur in diesem Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 is being read.</source>
+        <translation>%1 wird gelesen.</translation>
+    </message>
+    <message>
+        <source>What stood there before is kept in %1.</source>
+        <translation>Was vorher dort lag, liegt jetzt in %1.</translation>
     </message>
 </context>
 </TS>
