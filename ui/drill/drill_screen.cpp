@@ -316,6 +316,7 @@ void DrillScreen::look() {
   in.live = in.attempt->session->view();
   in.live.cut_ignored = in.live.cut_ignored || (in.input && in.input->ignores_cut());
   if (in.asked && in.live.device == Sample::Status::gone) in.stood = true;
+  hold_while_minimised();
   in.sound->follow(in.live, *in.attempt->session->scene());
   in.stage->view()->follow_bur(kFollow);
   const Vec3 bur_mm = in.live.output.proxy_mm;

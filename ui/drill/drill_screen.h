@@ -37,6 +37,7 @@ class DrillScreen : public QWidget {
   void begin(SessionPlan plan, const DrillText& text, std::unique_ptr<HapticPort> port = nullptr);
   bool running() const;
   /// As ask_leave(), and calls `then` after left(). Not if the user stays, if the attempt is finished meanwhile, or while it is graded.
+  /// Pre: running().
   void ask_leave_then(std::function<void()> then);
   class ToothView* view() const;
   /// Where the drilling sound's volume and mute are kept, and whether the handpiece is drawn and in which hand; outlives the screen. Without: the usual
@@ -81,6 +82,7 @@ class DrillScreen : public QWidget {
   void stop_undrawn();
   void hold_for_question();
   void answered_no();
+  void hold_while_minimised();
   void leave_now();
   void abandoned(const std::optional<SessionId>& unmarked);
   void finish_now();

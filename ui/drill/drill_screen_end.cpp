@@ -1,4 +1,4 @@
-// How an attempt ends on the drilling screen: finished and graded, or left.
+// How an attempt stands under a question or in a minimised window, and how it ends: finished and graded, or left.
 
 #include <QLocale>
 #include <QPointer>
@@ -30,6 +30,17 @@ void DrillScreen::answered_no() {
   in.attempt->session->set_idle(false);
   if (in.guidance == Guidance::full && !in.stood) in.attempt->session->resume();
   setFocus();
+}
+
+/// A device pushes and cuts also where nobody sees the tooth. Practice stands until Resume; the clock of an assessment runs on.
+void DrillScreen::hold_while_minimised() {
+  Inner& in = *inner_;
+  const bool minimised = window()->isMinimized();
+  if (in.guidance == Guidance::silent) {
+    in.attempt->session->set_idle(in.asked || minimised);
+  } else if (minimised && !stands_still(in.live)) {
+    in.attempt->session->pause();
+  }
 }
 
 void DrillScreen::ask_finish() {

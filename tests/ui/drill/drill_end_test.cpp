@@ -184,6 +184,33 @@ TEST_F(DrillEnd, an_open_question_of_an_assessment_takes_cut_and_force_off_and_l
   EXPECT_TRUE(QTest::qWaitFor([&] { return removed() > cut && hand->force_n > 0; }, kComesWithinMs));
 }
 
+TEST_F(DrillEnd, a_practice_in_a_minimised_window_stands_until_resume) {
+  begin(plan());
+  screen->setWindowState(Qt::WindowMinimized);
+  ASSERT_TRUE(wait_for_card("Paused"));
+  screen->setWindowState(Qt::WindowNoState);
+  let_it_run();
+  EXPECT_TRUE(card_shows("Paused"));
+  EXPECT_EQ(hand->force_n, 0);
+  button(card(), "Resume")->click();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return hand->force_n > 0; }, kComesWithinMs));
+}
+
+TEST_F(DrillEnd, an_assessment_in_a_minimised_window_has_no_force_until_it_is_shown_and_its_clock_runs_on) {
+  begin(plan(Guidance::silent));
+  screen->setWindowState(Qt::WindowMinimized);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return hand->force_n == 0; }, kComesWithinMs));
+  const QString before = clock();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return clock() != before; }, kComesWithinMs)) << "the clock runs on";
+  EXPECT_EQ(hand->force_n, 0);
+  screen->ask_finish();
+  answer(false);
+  let_it_run();
+  EXPECT_EQ(hand->force_n, 0) << "who stays has not seen the tooth yet";
+  screen->setWindowState(Qt::WindowNoState);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return hand->force_n > 0; }, kComesWithinMs));
+}
+
 TEST_F(DrillEnd, the_time_limit_of_an_assessment_ends_it_under_an_open_question) {
   SessionPlan limited = plan(Guidance::silent);
   limited.scenario.time_limit_s = 8;
