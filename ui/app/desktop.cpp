@@ -326,7 +326,8 @@ void Desktop::push(QWidget* fresh) {
 
 void Desktop::lead_views(QWidget* page) {
   if (!hid_) return;
-  for (ToothView* view : page->findChildren<ToothView*>()) new SpaceMouseTurner(*view, hid_->space_mouse());
+  for (ToothView* view : page->findChildren<ToothView*>())
+    connect(new SpaceMouseTurner(*view, hid_->space_mouse()), &SpaceMouseTurner::moved, &idle_, &IdleWatch::count_input);
 }
 
 void Desktop::back() {

@@ -54,14 +54,18 @@ void IdleWatch::look() {
   Q_EMIT idle();
 }
 
-bool IdleWatch::eventFilter(QObject* watched, QEvent* event) {
-  if (!is_input(event->type()) || limit_.count() <= 0) return QObject::eventFilter(watched, event);
+bool IdleWatch::count_input() {
+  if (limit_.count() <= 0) return true;
   if (timer_.isActive() && clock_() - last_input_ >= limit_) {
     timer_.start(0);  // not from here: who is signed out may take the receiver of the event along
-    return true;
+    return false;
   }
   wait();
-  return QObject::eventFilter(watched, event);
+  return true;
+}
+
+bool IdleWatch::eventFilter(QObject* watched, QEvent* event) {
+  return (is_input(event->type()) && !count_input()) || QObject::eventFilter(watched, event);
 }
 
 }  // namespace cusp::ui

@@ -1,4 +1,4 @@
-/// Says when nobody has used mouse, keys, pen or screen for a while, the sleep of the computer included. Thread: GUI.
+/// Reports that nobody has used mouse, keys, pen or screen for a while, the sleep of the computer included. Thread: GUI.
 #pragma once
 
 #include <QObject>
@@ -19,6 +19,8 @@ class IdleWatch : public QObject {
   explicit IdleWatch(std::function<std::chrono::milliseconds()> clock = time_since_boot, QObject* parent = nullptr);
   /// 0: never. Begins anew.
   void set_limit(std::chrono::milliseconds limit);
+  /// Of a device whose motion is no event of the window. False: it came after the limit, and idle() follows.
+  bool count_input();
 
  Q_SIGNALS:
   /// Once; again after the next input and the same time without any.

@@ -62,6 +62,7 @@ void SpaceMouseTurner::look() {
   if ((pressed & kRight) != 0) Q_EMIT mirror_asked();
   if ((pressed & kLeft) != 0 && first_) view_.set_camera(*first_);
   if (latest.motion.still()) return;
+  Q_EMIT moved();
   if (const auto& mirror = view_.scene().mirror) {
     view_.set_mirror(led(*mirror, view_.camera(), latest.motion, reader_.settings().speed, dt_s));
     return;

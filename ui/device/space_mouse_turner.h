@@ -30,6 +30,8 @@ class SpaceMouseTurner : public QObject {
   SpaceMouseTurner(ToothView& view, hid::SpaceMouseReader& reader);
 
  Q_SIGNALS:
+  /// The cap is off its rest. At each look while the view is led.
+  void moved();
   /// The right button.
   void mirror_asked();
 

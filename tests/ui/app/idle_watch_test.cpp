@@ -47,5 +47,19 @@ TEST(IdleWatch, speaks_after_the_computer_slept_and_the_input_that_woke_it_reach
   EXPECT_EQ(idle.count(), 1);
 }
 
+TEST(IdleWatch, counts_input_that_is_no_event_of_the_window) {
+  std::chrono::milliseconds now{0};
+  IdleWatch watch([&now] { return now; });
+  watch.set_limit(std::chrono::minutes(20));
+  QLineEdit field;
+  now += std::chrono::minutes(19);
+  EXPECT_TRUE(watch.count_input());
+  now += std::chrono::minutes(19);
+  QTest::keyClick(&field, Qt::Key_A);
+  EXPECT_EQ(field.text(), QStringLiteral("a"));
+  now += std::chrono::minutes(20);
+  EXPECT_FALSE(watch.count_input()) << "too late";
+}
+
 }  // namespace
 }  // namespace cusp::test

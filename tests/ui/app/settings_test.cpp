@@ -4,8 +4,11 @@
 
 #include <QCheckBox>
 #include <QFile>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <QTest>
+#include <chrono>
 
 #include "device/hid/hid_station.h"
 #include "scenarios/library/library.h"
@@ -18,6 +21,7 @@
 #include "ui/settings/settings.h"
 #include "ui/student/briefing.h"
 #include "ui/student/start_page.h"
+#include "ui/view/tooth_view.h"
 
 namespace cusp::test {
 namespace {
@@ -103,6 +107,33 @@ TEST(SpaceMouse, leads_the_view_of_the_ideal_preparation_too) {
   ASSERT_NE(briefing->watch_button(), nullptr);
   briefing->watch_button()->click();
   EXPECT_NE(briefing->findChild<SpaceMouseTurner*>(), nullptr);
+}
+
+TEST(SpaceMouse, that_leads_a_view_puts_the_idle_lock_off) {
+  test::DeskRecords records;
+  const QTemporaryDir folder;
+  Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
+  ASSERT_TRUE(settings.set_idle_minutes(15));
+  std::chrono::milliseconds now{0};
+  Ports ports = Ports::of_the_system();
+  ports.since_boot = [&now] { return now; };
+  hid::HidStation station([] { return std::unique_ptr<hid::HidBus>(); });
+  Desktop desktop(settings, ports, records.file());
+  desktop.use_hid(station);
+  desktop.start();
+  desktop.show();
+  desktop.sign_in(records.student("1", "Lena Brandt"));
+  auto* page = new QWidget;
+  new ToothView(page);
+  desktop.push(page);
+  auto* turner = page->findChild<SpaceMouseTurner*>();
+  ASSERT_NE(turner, nullptr);
+  now += std::chrono::minutes(14);
+  Q_EMIT turner->moved();
+  now += std::chrono::minutes(14);
+  QLineEdit field;
+  QTest::keyClick(&field, Qt::Key_A);
+  EXPECT_EQ(field.text(), QStringLiteral("a")) << "a key after 28 minutes without input reaches nobody";
 }
 
 TEST(SettingsTest, the_database_is_where_the_option_or_the_environment_says) {

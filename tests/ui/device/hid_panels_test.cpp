@@ -21,6 +21,7 @@
 #include "ui/device/pedal_text.h"
 #include "ui/device/space_mouse_panel.h"
 #include "ui/device/space_mouse_turner.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/number_field.h"
 
 namespace cusp::test {
@@ -292,6 +293,25 @@ TEST_F(Panels, what_no_file_takes_of_a_space_mouse_is_reported) {
     EXPECT_EQ(band_text(panel).startsWith(kUnkept), over == &lost) << band_text(panel).toStdString();
     EXPECT_DOUBLE_EQ(HidSettings(over->file()).space_mouse().speed, 2.5);
   }
+}
+
+TEST_F(Panels, a_space_mouse_reports_that_it_leads_a_view) {
+  auto mouse = desk.plug("/dev/hidraw1", 0x256f, 0xc635, test::space_mouse_descriptor());
+  hid::SpaceMouseReader reader(bus_of(desk));
+  reader.start();
+  ToothView view;
+  view.show();
+  view.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&view));
+  SpaceMouseTurner turner(view, reader);
+  bool moved = false;
+  QObject::connect(&turner, &SpaceMouseTurner::moved, &view, [&moved] { moved = true; });
+  ASSERT_TRUE(eventually([&] { return reader.view(std::chrono::steady_clock::now()).connected; }));
+  EXPECT_FALSE(moved);
+  EXPECT_TRUE(eventually([&] {
+    desk.send(mouse, test::words(1, {300, 0, 0}));  // as while it is held
+    return moved;
+  }));
 }
 
 TEST(SpaceMouseLeads, a_full_turn_of_the_cap_is_a_quarter_turn_a_second) {
