@@ -1,5 +1,6 @@
 #include "ui/device/falcon_panel.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPointer>
@@ -38,9 +39,6 @@ constexpr double kFeelN = 2.0;  // of the force test
 void set_text_if_new(QLabel* label, const QString& text) {
   if (label->text() != text) label->setText(text);
 }
-
-/// The body that an emulated one stands for on this page.
-falcon::EmulatedBodySettings usual_body() { return {}; }
 
 }  // namespace
 
@@ -203,7 +201,7 @@ void FalconPanel::open() {
   Inner& in = *inner_;
   if (in.kind.empty() || in.bench) return;
   in.shown_failure = false;
-  in.bench = std::make_unique<DeviceBench>(in.settings.choice_of(in.kind, in.name), usual_body());
+  in.bench = std::make_unique<DeviceBench>(in.settings.choice_of(in.kind, in.name));
   in.timer.start();
 }
 
@@ -241,6 +239,8 @@ void FalconPanel::look() {
     if (const auto failure = in.bench->failure()) {
       const Message message = describe_falcon(*failure);
       in.band->show_message(Band::Kind::bad, message.what, message.more);
+      // Where Qt put the keyboard when the button went.
+      if (in.now->isAncestorOf(QApplication::focusWidget())) in.again->setFocus();
       if (failure->code == PortError::no_permission)
         in.rights->set_command(QString::fromStdString(falcon::udev_install_command()));
     }

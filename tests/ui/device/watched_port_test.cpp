@@ -1,5 +1,5 @@
 // What the device page looks at: the port of the Inverse3's service, and what comes while the keyboard is in its list; what it reports
-// of a choice that no file takes; and the key that stops a test.
+// of a choice that no file takes; the key that stops a test; and the keyboard at Try again.
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -160,6 +160,31 @@ TEST(DevicePage, stop_has_the_keyboard_while_the_grip_pushes_and_gives_it_back) 
   QTest::keyClick(stop, Qt::Key_Space);
   ASSERT_TRUE(eventually(is_ready));
   EXPECT_EQ(QApplication::focusWidget(), force);
+}
+
+TEST(DevicePage, try_again_has_the_keyboard_once_more_where_the_falcon_is_still_away) {
+  const QTemporaryDir folder;
+  Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
+  DeviceSettings(settings.file()).choose("falcon", "FT000001");
+  const bool plugged = true;  // so the list has it; no test has one on its bus
+  DevicePage page(settings, Ports::of_the_system(), Role::student, nullptr, [&plugged] { return std::make_unique<LateWatch>(plugged); });
+  page.show();
+  page.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+  QPushButton* again = nullptr;
+  for (QPushButton* one : page.falcon()->findChildren<QPushButton*>())
+    if (one->text().trimmed() == QStringLiteral("Try again")) again = one;
+  ASSERT_NE(again, nullptr);
+  const auto is_offered = [&] {
+    page.falcon()->look();
+    return again->isVisible();
+  };
+  ASSERT_TRUE(eventually(is_offered));
+  again->setFocus();
+  again->click();
+  ASSERT_FALSE(again->isVisible());
+  ASSERT_TRUE(eventually(is_offered));
+  EXPECT_EQ(QApplication::focusWidget(), again);
 }
 
 }  // namespace
