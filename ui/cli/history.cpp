@@ -98,8 +98,7 @@ nlohmann::ordered_json details_json(const SessionDetails& details) {
   return json;
 }
 
-/// The names that the volume gives its own tissues; empty where none of them was removed.
-/// Tenths of a second where there is any.
+/// The names that the volume gives its own tissues; empty where none of them was removed. Reading the volume takes tenths of a second.
 TissueNames names_of(Store& store, const SessionDetails& details) {
   const auto is_own = [](const RemovedTissue& r) { return index_of(r.tissue) >= kTissueKeys.size(); };
   if (std::ranges::none_of(details.removed, is_own)) return {};
