@@ -267,6 +267,7 @@ void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optio
   });
   if (attempt.device.hand) follow_pointer();
   in.unseen = true;
+  hold_while_minimised();           // where no frame comes, look() does not begin
   view->set_feed(attempt.patches);  // feed_shown() goes on
 }
 
