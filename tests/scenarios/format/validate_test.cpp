@@ -171,6 +171,26 @@ TEST(Validate, OneCriterionAtLeastSuitsTheSimplestDevice) {
                 s.rubric.criteria[0].needs_dof = 3;
               }),
               Not(Contains("error /rubric/pass pass_unreachable")));
+  // An exact cut reads 2.0 mm, of which it earns nothing; what earns the 60 points is not graded on a device of three axes.
+  const auto on = [](int axes) {
+    return [axes](Scenario& s) {
+      s.device.needs_dof = axes;
+      s.rubric.pass = 60;
+      s.rubric.criteria[0].needs_dof = 6;
+      s.rubric.criteria[1].bands = {2, 2.5, 2.9, 3.1, 3.5, 4};
+    };
+  };
+  EXPECT_THAT(after(on(3)), Contains("error /rubric/pass pass_unreachable"));
+  EXPECT_THAT(after(on(6)), Not(Contains("error /rubric/pass pass_unreachable")));
+}
+
+TEST(Validate, EveryPointCanBeAskedForWhateverTheWeightsRoundTo) {
+  EXPECT_THAT(after([](Scenario& s) {
+                s.rubric.pass = 100;
+                s.rubric.criteria.resize(1);
+                s.rubric.criteria[0].weight = 0.17;  // 100 times it, divided by it, is 1.4e-14 below 100
+              }),
+              IsEmpty());
 }
 
 TEST(Validate, WarnsOfWhatTheVoxelsCannotShow) {
