@@ -91,16 +91,19 @@ Volume token(const Reference& reference, const std::shared_ptr<const Specimen>& 
 /// Of the way, not of the tooth: an attempt that is not played has none.
 bool is_of_process(std::string_view metric) { return metric == "time" || metric.starts_with("force_") || needs_heat(metric); }
 
-/// Whether an attempt that cuts the whole target and nothing else passes, within what a model's own error may change. What only a played
-/// attempt has is of no account.
+/// Whether an attempt that cuts the whole target and nothing else passes, on the simplest admitted device and on one that expresses every
+/// criterion, within what a model's own error may change. What only a played attempt has is of no account.
 std::optional<Finding> check_pass(const Scenario& scenario, const std::vector<Measure>& measures) {
   Scenario cut = scenario;
   std::erase_if(cut.rubric.criteria, [](const Criterion& c) { return is_of_process(c.metric); });
-  const Grade exact = grade(cut, measures);
-  if (std::ranges::none_of(exact.criteria, [](const CriterionGrade& c) { return c.points_max > 0.0; })) return std::nullopt;
-  if (exact.critical.empty() && reaches(exact.score + scenario.tolerance_points, exact.pass_mark)) return std::nullopt;
-  return Finding{Severity::error, "/rubric/pass", "target_fails", {{"value", exact.score}, {"limit", exact.pass_mark}},
-                 exact.critical.empty() ? std::string() : exact.critical.front()};
+  for (const int axes : {scenario.device.needs_dof, kAllAxes}) {
+    const Grade exact = grade(cut, measures, axes);
+    if (std::ranges::none_of(exact.criteria, [](const CriterionGrade& c) { return c.points_max > 0.0; })) continue;
+    if (exact.critical.empty() && reaches(exact.score + scenario.tolerance_points, exact.pass_mark)) continue;
+    return Finding{Severity::error, "/rubric/pass", "target_fails", {{"value", exact.score}, {"limit", exact.pass_mark}},
+                   exact.critical.empty() ? std::string() : exact.critical.front()};
+  }
+  return std::nullopt;
 }
 
 /// The tooth without the whole target: criteria that not even this lets be measured drop out of every grade.

@@ -211,6 +211,14 @@ TEST(Attempts, ATargetThatDoesNotPassItselfIsAnError) {
   v.scenario.rubric.critical.push_back("protected_damage");
   v.scenario.protected_parts.emplace_back(Tissue::enamel);
   EXPECT_THAT(v.attempts(), Contains("error /rubric/pass target_fails")) << "the target takes what is protected";
+  Tooth w;  // what earns the points is not graded on the simplest device that is admitted
+  for (Criterion& c : w.scenario.rubric.criteria)
+    if (c.metric == "depth_mean") c.bands = {50, 60, 70, 80, 90, 95};
+    else c.needs_dof = 6;
+  w.scenario.device.needs_dof = 6;
+  EXPECT_THAT(w.attempts(), Not(Contains("error /rubric/pass target_fails")));
+  w.scenario.device.needs_dof = 3;
+  EXPECT_THAT(w.attempts(), Contains("error /rubric/pass target_fails"));
 }
 
 TEST(Attempts, OfAFilledReadingAreGradedToo) {
