@@ -153,9 +153,8 @@ class TextCheck {
 
   /// A title's whole numbers are teeth where FDI has them; a briefing's may be minutes.
   void tooth(const std::string& language, const std::string& text) {
-    const SpecimenSource& specimen = s_.specimen;
-    const int fdi = specimen.generator.empty() ? specimen.landmarks.fdi : specimen.grown_fdi();
-    if (fdi == 0) return;  // a block, or a file whose number nobody stated
+    const int fdi = s_.specimen.tooth_number();
+    if (fdi == 0) return;
     std::optional<int> wrong;
     for (const Figure& f : figures_of(text)) {
       if (!f.whole || f.mm || f.value > 48 || !is_fdi(static_cast<int>(f.value))) continue;

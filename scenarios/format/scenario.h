@@ -42,6 +42,8 @@ struct SpecimenSource {
   SpecimenLandmarks landmarks;      // of a tooth from a file
   /// FDI number of a tooth of Cusp's own; 0 of any other specimen.
   int grown_fdi() const noexcept { return generator == "tooth" ? fdi : 0; }
+  /// FDI number of any tooth: of one from a file as its author stated it. 0 of a block, and where nobody stated one.
+  int tooth_number() const noexcept { return generator.empty() ? landmarks.fdi : grown_fdi(); }
   /// Whether the tooth and its neighbours are of one plastic: nobody knows where it ends between them.
   bool is_one_with_neighbours() const noexcept {
     for (const std::string& key : around)

@@ -42,9 +42,6 @@ const Region& target_of(const Region& whole, std::string_view name) {
 /// Buccolingual, of an upright outline.
 double width_of(const Outline& outline) { return outline.shape == "box" ? outline.box_size_mm.y : outline.width_mm; }
 
-/// Number of the tooth, grown or from a file; 0 where it has none.
-int tooth_number(const SpecimenSource& specimen) { return specimen.generator.empty() ? specimen.landmarks.fdi : specimen.grown_fdi(); }
-
 Bands shifted(const Bands& bands, double by) {
   return with_edges(bands, [by](double edge) { return edge + by; });
 }
@@ -114,7 +111,7 @@ PointsForm::PointsForm(EditorModel& model, QWidget* parent) : QWidget(parent), m
   column->addLayout(adding);
   connect(add_, &QPushButton::clicked, this, [this] {
     const std::string metric = metric_->currentData().toString().toStdString();
-    if (!metric.empty()) model_.add_criterion(metric, first_bands(metric, model_.scenario().target, tooth_number(model_.scenario().specimen)));
+    if (!metric.empty()) model_.add_criterion(metric, first_bands(metric, model_.scenario().target, model_.scenario().specimen.tooth_number()));
   });
   column->addSpacing(px(8));
   column->addWidget(make_rule());
