@@ -7,6 +7,7 @@
 #include "scenarios/shapes/target.h"
 #include "ui/editor/band_scale.h"
 #include "ui/editor/editor_model.h"
+#include "ui/editor/first_bands.h"
 #include "ui/editor/target_handles.h"
 
 namespace cusp::ui {
@@ -45,8 +46,7 @@ double read_of_whole(std::string_view metric, const Region& whole) {
   const double plane = outlines_of(whole).front()->top_mm;  // floor_depth() measures from it
   std::vector<double> read;
   for (const Outline* one : floors) {
-    const double across = one->shape == "box" ? one->box_size_mm.y : one->width_mm;
-    read.push_back(metric == "isthmus_width" ? across : one->depth_mm + (plane - one->top_mm));
+    read.push_back(metric == "isthmus_width" ? isthmus_mm(*one) : one->depth_mm + (plane - one->top_mm));
   }
   if (metric == "depth_most") return *std::ranges::max_element(read);
   return metric == "depth_least" || metric == "isthmus_width" ? *std::ranges::min_element(read) : 0.0;

@@ -57,9 +57,4 @@ class PointsForm : public QWidget {
   std::string open_;   // metric with its bands shown
 };
 
-/// First bands of a criterion: scenarios/grading/default_bands.h for the form of a preparation on tooth `fdi` (0: none), else those
-/// of the built-in exercises. An outline moves them to its width and depth, and over-cut to its floor and wall. If none of them has
-/// the metric, bands that cost no points.
-Bands first_bands(const std::string& metric, const Region& target, int fdi = 0);
-
 }  // namespace cusp::ui

@@ -15,7 +15,7 @@
 #include "ui/editor/band_picture.h"
 #include "ui/editor/bands_form.h"
 #include "ui/editor/editor_model.h"
-#include "ui/editor/points_form.h"
+#include "ui/editor/first_bands.h"
 #include "ui/widgets/number_field.h"
 
 namespace cusp::test {

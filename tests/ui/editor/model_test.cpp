@@ -12,7 +12,7 @@
 #include "tests/ui/editor/class_one.h"
 #include "ui/editor/check_messages.h"
 #include "ui/editor/editor_model.h"
-#include "ui/editor/points_form.h"
+#include "ui/editor/first_bands.h"
 #include "ui/editor/target_handles.h"
 
 namespace cusp::test {
