@@ -98,11 +98,11 @@ class EditorModel : public QObject {
   bool remove_part();              // false for the root
   bool set_outline(const Outline& outline, const QString& field);       // for handles: the whole outline
   bool set_taper_deg(std::size_t side, double deg);                     // -x, +x, -y, +y
-  bool set_shape(const std::string& shape);                             // keeps place, size and depth
+  bool set_shape(const std::string& shape);  // keeps place, size and depth; the bands of the isthmus move with the width
   /// If its floor is the pulpal floor, moves the bands of depth criteria too, so that an exact cut still earns full points; of several
   /// targets those of the whole move with the deepest, the shallowest and the narrowest one.
   bool set_depth_mm(double mm);
-  bool set_width_mm(double mm);  // the bands of the isthmus likewise
+  bool set_width_mm(double mm);              // the bands of the isthmus likewise
   bool set_top_mm(double mm);
   bool set_corner_radius_mm(double mm);
   bool set_box_size_mm(double x, double y);  // y is the width: the bands of the isthmus likewise

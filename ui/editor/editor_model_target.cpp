@@ -64,6 +64,13 @@ void move_bands(Scenario& s, const Region& before, const PartPath& part, std::st
   }
 }
 
+/// The bands of the isthmus follow the outline's width, whatever shape it has.
+void move_isthmus(Scenario& s, const Region& before, const PartPath& part) {
+  const Region& now = *part_at(s.target, part);
+  const double by = isthmus_mm(now.outline) - isthmus_mm(part_at(before, part)->outline);
+  if (std::isfinite(by) && by != 0.0 && has_pulpal_floor(now)) move_bands(s, before, part, "isthmus_width", by);
+}
+
 }  // namespace
 
 void settle_on_floor(Outline& target) {
@@ -128,7 +135,8 @@ bool EditorModel::set_taper_deg(std::size_t side, double deg) {
 
 bool EditorModel::set_shape(const std::string& shape) {
   end_gesture();
-  return edit_outline(tr("Shape"), u"shape"_qs, [&](Scenario&, Outline& t) {
+  return edit_outline(tr("Shape"), u"shape"_qs, [&](Scenario& s, Outline& t) {
+    const Region before = s.target;
     if (t.shape == shape || t.paths.empty() || t.paths.front().empty()) return;
     Vec3 low, high;
     bounds(t, low, high);
@@ -151,6 +159,7 @@ bool EditorModel::set_shape(const std::string& shape) {
     }
     t.shape = shape;
     settle_on_floor(t);
+    move_isthmus(s, before, part_);
   });
 }
 
@@ -168,9 +177,8 @@ bool EditorModel::set_depth_mm(double mm) {
 bool EditorModel::set_width_mm(double mm) {
   return edit_outline(tr("Width"), u"width"_qs, [&](Scenario& s, Outline& t) {
     const Region before = s.target;
-    const double by = mm - t.width_mm;
     t.width_mm = mm;
-    if (std::isfinite(by) && has_pulpal_floor(*part_at(s.target, part_))) move_bands(s, before, part_, "isthmus_width", by);
+    move_isthmus(s, before, part_);
   });
 }
 
@@ -189,9 +197,8 @@ bool EditorModel::set_box_size_mm(double x, double y) {
   if (!(x > 0) || !(y > 0)) return false;
   return edit_outline(tr("Size"), u"size"_qs, [&](Scenario& s, Outline& t) {
     const Region before = s.target;
-    const double by = y - t.box_size_mm.y;
     t.box_size_mm = {x, y, 0};
-    if (t.shape == "box" && has_pulpal_floor(*part_at(s.target, part_))) move_bands(s, before, part_, "isthmus_width", by);
+    move_isthmus(s, before, part_);
   });
 }
 

@@ -98,6 +98,22 @@ TEST(Width, Of_a_box_moves_the_bands_of_its_isthmus_and_its_length_moves_none) {
   EXPECT_NEAR(isthmus(model.scenario().rubric).fail_hi, isthmus(before).fail_hi + 0.5, 1e-9);
 }
 
+TEST(Width, Of_an_outline_that_takes_another_shape_moves_the_bands_of_its_isthmus) {
+  EditorStart start;
+  start.draft = *load_builtin("class-1-36");
+  EditorModel model(start);
+  const auto isthmus = [&model] { return std::ranges::find(model.scenario().rubric.criteria, "isthmus_width", &Criterion::metric)->bands; };
+  const double width = model.outline().width_mm;
+  const Bands before = isthmus();
+  for (const char* shape : {"box", "channel"}) {
+    ASSERT_TRUE(model.set_shape(shape));
+    const double wider = isthmus_mm(model.outline()) - width;
+    EXPECT_GT(wider, 0.5) << "the outline has branches across the tooth";
+    EXPECT_NEAR(isthmus().ideal_lo, before.ideal_lo + wider, 1e-4) << shape;
+    EXPECT_NEAR(isthmus().fail_hi, before.fail_hi + wider, 1e-4) << shape;
+  }
+}
+
 TEST(FirstBands, Of_a_ridge_go_by_the_number_of_a_tooth_from_a_file) {
   EditorStart start;
   start.draft = *load_builtin("channel-1");
