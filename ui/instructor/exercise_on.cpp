@@ -6,11 +6,33 @@
 #include "scenarios/import/nrrd.h"
 #include "scenarios/library/library.h"
 #include "ui/editor/editor_records.h"
+#include "ui/editor/first_bands.h"
 #include "ui/editor/specimen_grower.h"
 #include "ui/instructor/import_page.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
+namespace {
+
+double to_hundredths(double mm) { return std::round(mm * 100) / 100; }
+
+/// Lays the pattern's channel on the middle of the specimen, with a third of its length and height at most, so that it lies inside. The
+/// bands follow.
+void fit_target(Scenario& s, const VoxelVolume& volume, const SpecimenFacts& facts) {
+  const Outline pattern = s.target.outline;
+  Outline& target = s.target.outline;
+  const Vec3 middle = (facts.low_mm + facts.high_mm) / 2.0, size = facts.high_mm - facts.low_mm;
+  const auto specimen = Specimen::build(volume, Reading::banded);
+  target.top_mm = to_hundredths(height_at(*specimen, middle.x, middle.y).value_or(facts.high_mm.z));
+  target.depth_mm = to_hundredths(std::min(pattern.depth_mm, size.z / 3));
+  const double reach = std::min(std::abs(pattern.paths[0][0].x), size.x / 6);
+  const double y = to_hundredths(middle.y);
+  target.paths = {{{to_hundredths(middle.x - reach), y, 0}, {to_hundredths(middle.x + reach), y, 0}}};
+  settle_on_floor(target);
+  for (Criterion& c : s.rubric.criteria) c.bands = fitted_bands(c.bands, c.metric, target, pattern);
+}
+
+}  // namespace
 
 Result<EditorStart, ImportFailure> exercise_on(const VoxelVolume& volume, const std::string& name,
                                                const std::filesystem::path& database) {
@@ -32,14 +54,7 @@ Result<EditorStart, ImportFailure> exercise_on(const VoxelVolume& volume, const 
     s.protected_parts = {Tissue::pulp};
     s.rubric.critical = {"pulp_exposure"};
   }
-  const auto tidy = [](double mm) { return std::round(mm * 100) / 100; };
-  const Vec3 middle = (facts.low_mm + facts.high_mm) / 2.0;
-  const auto specimen = Specimen::build(volume, Reading::banded);
-  s.target.outline.top_mm = tidy(height_at(*specimen, middle.x, middle.y).value_or(facts.high_mm.z));
-  // At most a third of length and height: the first target lies inside the specimen.
-  const double reach = std::min(std::abs(s.target.outline.paths[0][0].x), (facts.high_mm.x - facts.low_mm.x) / 6);
-  s.target.outline.paths = {{{tidy(middle.x - reach), tidy(middle.y), 0}, {tidy(middle.x + reach), tidy(middle.y), 0}}};
-  settle_on_floor(s.target.outline);
+  fit_target(s, volume, facts);
   const std::filesystem::path folder = drafts_folder(database, s.id);
   std::error_code error;
   std::filesystem::create_directories(folder, error);

@@ -104,7 +104,8 @@ class ImportPage : public QWidget {
   Busy* busy_;
 };
 
-/// A new exercise on a volume: a channel in the middle of its upper face. Writes the volume beside the draft.
+/// A new exercise on a volume: a channel in the middle of its upper face, with bands that fit its size. Writes the volume beside the
+/// draft.
 Result<EditorStart, ImportFailure> exercise_on(const VoxelVolume& volume, const std::string& name,
                                                const std::filesystem::path& database);
 

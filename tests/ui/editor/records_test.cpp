@@ -176,6 +176,31 @@ TEST_F(EditorRecords, an_exercise_on_an_imported_volume_is_published_with_its_vo
   EXPECT_EQ(unpacked->tissue, volume->tissue);
 }
 
+TEST_F(EditorRecords, an_exercise_on_a_thin_volume_is_as_deep_as_it_allows_with_bands_that_fit) {
+  VoxelVolume plate(Grid{IVec3(50, 50, 23), 0.2, Vec3(-4.9, -4.9, -2.1)});  // 8.4 × 8.4 × 3 mm
+  for (int z = 4; z < 19; ++z)
+    for (int y = 4; y < 46; ++y)
+      for (int x = 4; x < 46; ++x) {
+        plate.s[plate.grid.index({x, y, z})] = kSolid;
+        plate.tissue[plate.grid.index({x, y, z})] = Tissue::plastic;
+      }
+  const auto start = exercise_on(plate, "Plate", records.file());
+  ASSERT_TRUE(start.has_value());
+  const Scenario &made = start->draft, pattern = *load_builtin("channel-1");
+  EXPECT_DOUBLE_EQ(made.target.outline.depth_mm, 1.0) << "a third of its height";
+  for (std::size_t i = 0; i < made.rubric.criteria.size(); ++i) {
+    const Criterion &here = made.rubric.criteria[i], &there = pattern.rubric.criteria[i];
+    SCOPED_TRACE(here.metric);
+    if (here.metric.starts_with("depth_")) EXPECT_NEAR(here.bands.ideal_hi, there.bands.ideal_hi - 1.0, 1e-9);
+    // A channel of 2.8 mm has 0.56 of the floor of one of 6 mm, and, half as deep, 0.31 of its wall.
+    if (here.metric.starts_with("overcut_")) EXPECT_NEAR(here.bands.fail_hi, (here.metric.ends_with("_floor") ? 0.56 : 0.31) * there.bands.fail_hi, 0.2);
+  }
+  EditorModel model(*start);
+  model.set_facts(facts_of(plate));
+  EXPECT_TRUE(model.publishable());
+  for (const Finding& f : model.findings()) EXPECT_NE(f.code, "target_scores_less") << f.path;
+}
+
 TEST_F(EditorRecords, a_published_volume_is_opened_though_another_of_its_name_lies_beside_a_draft) {
   SpecimenSource block;
   block.generator = "block";
