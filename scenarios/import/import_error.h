@@ -39,8 +39,9 @@ enum class ImportError : std::uint8_t {
   cancelled,        // the user stopped it
   not_started,      // no process could be started
   unknown_generator,  // where: its name
+  code_taken,       // a file's own tissue has the code of a grown tooth's; detail: its name, else its code
 };
-inline constexpr std::size_t kImportErrors = 26;
+inline constexpr std::size_t kImportErrors = 27;
 
 using ImportFailure = Failure<ImportError>;
 
@@ -50,7 +51,7 @@ inline constexpr std::array<std::string_view, kImportErrors> kImportErrorKeys = 
     "bad_spacing",    "bad_orientation", "bad_tissue",  "truncated",         "corrupt",        "too_large",
     "nothing_solid",  "no_mesh",      "mesh_not_found", "mesh_empty",        "mesh_open",      "mesh_not_oriented",
     "mesh_ambiguous", "bad_option",   "crashed",        "time_limit",        "out_of_memory",  "cancelled",
-    "not_started",    "unknown_generator"};
+    "not_started",    "unknown_generator", "code_taken"};
 
 constexpr std::string_view key_of(ImportError code) noexcept { return kImportErrorKeys[static_cast<std::size_t>(code)]; }
 

@@ -12,6 +12,7 @@
 #include "scenarios/import/nrrd_image.h"
 #include "scenarios/import/quarter_turn.h"
 #include "scenarios/import/worker.h"
+#include "scenarios/specimens/taken_codes.h"
 #include "ui/cli/import_options.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/terminal.h"
@@ -230,6 +231,7 @@ int import_verb(const ImportOptions& o) {
   }
   end_progress();
   if (!volume) return failed(describe(volume.error()));
+  if (const auto refused = refuse_taken_codes(*volume, files.front().filename().string())) return failed(describe(*refused));
   done.volume = std::move(*volume);
   for (const QuarterTurn& turn : *turns) done.volume = quarter_turned(done.volume, turn.axis, turn.quarters);
   return finish(o, done);

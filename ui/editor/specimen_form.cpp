@@ -16,6 +16,7 @@
 #include "scenarios/format/validate.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/import/nrrd_image.h"
+#include "scenarios/specimens/taken_codes.h"
 #include "scenarios/teeth/tooth.h"
 #include "storage/base/files.h"
 #include "ui/editor/form_parts.h"
@@ -237,8 +238,9 @@ void SpecimenForm::pick() {
 
 void SpecimenForm::copy_beside(const std::filesystem::path& from) {
   const auto volume = read_nrrd(from);
-  if (!volume) {
-    const Message message = describe(volume.error());
+  const auto refusal = volume ? refuse_taken_codes(*volume, from.filename().string()) : std::optional(volume.error());
+  if (refusal) {
+    const Message message = describe(*refusal);
     band_->show_message(Band::Kind::bad, message.what, message.more);
     return;
   }

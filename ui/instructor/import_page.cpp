@@ -16,6 +16,7 @@
 #include "scenarios/import/size_question.h"
 #include "scenarios/import/up_axis.h"
 #include "scenarios/import/worker.h"
+#include "scenarios/specimens/taken_codes.h"
 #include "ui/editor/specimen_form.h"
 #include "ui/instructor/import_drop.h"
 #include "ui/instructor/import_forms.h"
@@ -342,7 +343,7 @@ void ImportPage::run() {
     job = [what](const ImportProgress& p, std::stop_token stop, std::vector<ImportRemark>& r) { return import_image_in_child(what, {}, p, std::move(stop), &r); };
   }
   preview_->clear();
-  QThreadPool::globalInstance()->start([job = std::move(job), work = work_, self = QPointer<ImportPage>(this)] {
+  QThreadPool::globalInstance()->start([job = std::move(job), name = files_.front().filename().string(), work = work_, self = QPointer<ImportPage>(this)] {
     const auto progress = [&](double share) {
       answer_to(self, work, [self, share] {
         self->busy_->set_progress(share, QLocale().toString(qRound(100 * share)) + QChar(0x00A0) + u'%');
@@ -350,6 +351,8 @@ void ImportPage::run() {
     };
     auto remarks = std::make_shared<std::vector<ImportRemark>>();
     auto volume = job(progress, work->get_token(), *remarks);
+    if (volume)
+      if (auto refused = refuse_taken_codes(*volume, name)) volume = std::unexpected(std::move(*refused));
     if (!volume) {
       return answer_to(self, work, [self, failure = volume.error()] {
         self->end_work();

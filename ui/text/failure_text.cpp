@@ -110,6 +110,8 @@ Message describe(const ImportFailure& f) {
     case ImportError::cancelled: return {Text::tr("Reading was cancelled."), kept};
     case ImportError::not_started: return {Text::tr("Reading could not be started."), kept};
     case ImportError::unknown_generator: return at(Text::tr("Specimens of the kind %1 are not known.").arg(where));
+    case ImportError::code_taken:
+      return {Text::tr("This file cannot be used."), Text::tr("In %1 the tissue %2 has the code of a grown tooth’s: 29 and 30 are a neighbour’s, 31 is firm caries. Give it one from 16 to 28.").arg(where, detail) + u' ' + kept};
   }
   return at(where);
 }

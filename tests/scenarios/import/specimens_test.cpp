@@ -7,11 +7,14 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <string>
 
 #include "scenarios/blocks/blocks.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/validate.h"
 #include "scenarios/import/nrrd.h"
+#include "scenarios/specimens/taken_codes.h"
+#include "scenarios/teeth/own_tissues.h"
 #include "tests/modules.h"
 #include "tests/scenarios/import/mesh_files.h"
 #include "tests/source_dir.h"
@@ -113,6 +116,30 @@ TEST(MakeSpecimen, AVolumeOutsideTheScenariosFolderIsNotRead) {
   SpecimenSource source;
   source.volume = "none.nrrd";
   expect_refused(source, ImportError::missing_file, "none.nrrd");
+}
+
+TEST(TakenCodes, AreRefusedUnlessTheyMeanWhatAGrownToothMeansByThem) {
+  VoxelVolume volume = dexterity_block(1.0);
+  EXPECT_FALSE(refuse_taken_codes(volume, "block.nrrd"));
+  std::ranges::replace(volume.tissue, Tissue::plastic, Tissue{28});
+  volume.names[28] = "pulp stone";
+  EXPECT_FALSE(refuse_taken_codes(volume, "block.nrrd"));
+  for (const auto& [code, grown] : own_tissue_names()) {
+    SCOPED_TRACE(grown);
+    volume.names.clear();
+    for (Tissue& tissue : volume.tissue)
+      if (tissue != Tissue::empty) tissue = Tissue{code};
+    ASSERT_TRUE(refuse_taken_codes(volume, "block.nrrd")) << "a label without a name";
+    EXPECT_EQ(refuse_taken_codes(volume, "block.nrrd")->detail, std::to_string(code));
+    volume.names[code] = "pulp stone";
+    const auto refused = refuse_taken_codes(volume, "block.nrrd");
+    ASSERT_TRUE(refused);
+    EXPECT_EQ(key_of(refused->code), "code_taken");
+    EXPECT_EQ(refused->where, "block.nrrd");
+    EXPECT_EQ(refused->detail, "pulp stone");
+    volume.names[code] = grown;
+    EXPECT_FALSE(refuse_taken_codes(volume, "block.nrrd")) << "as Cusp writes them";
+  }
 }
 
 TEST(MakeSpecimen, WhatNoGeneratorMakesIsRefusedByKey) {

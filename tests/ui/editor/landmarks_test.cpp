@@ -6,6 +6,8 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <limits>
 
@@ -16,6 +18,7 @@
 #include "ui/editor/landmark_names.h"
 #include "ui/editor/landmarks_form.h"
 #include "ui/editor/specimen_form.h"
+#include "ui/widgets/parts.h"
 
 namespace cusp::test {
 namespace {
@@ -220,6 +223,25 @@ TEST(AnotherVolume, of_the_same_tooth_has_the_landmarks_that_lie_on_it_if_the_au
     model.stack().undo();
     EXPECT_EQ(model.landmarks(), some_landmarks());
   }
+}
+
+TEST(AnotherVolume, with_a_tissue_that_would_count_as_a_neighbour_is_refused) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("labels.nrrd"));
+  VoxelVolume labels = narrow_crown();
+  std::ranges::replace(labels.tissue, Tissue::enamel, Tissue{29});
+  ASSERT_TRUE(write_nrrd(labels, file.toStdString()));
+  EditorStart start = MarkedTooth::start();
+  start.folder = folder.filePath(QStringLiteral("draft")).toStdString();
+  EditorModel model(start);
+  Ports ports;
+  ports.pick_file = [&](QWidget*, const FileWish&, const std::function<void(const QString&)>& then) { then(file); };
+  SpecimenForm form(model, ports);
+  for (QPushButton* button : form.findChildren<QPushButton*>())
+    if (button->accessibleName() == QStringLiteral("Choose a volume…")) button->click();
+  EXPECT_EQ(model.stack().count(), 0);
+  EXPECT_TRUE(form.findChild<Band*>()->text().contains(QStringLiteral("labels.nrrd"))) << form.findChild<Band*>()->text().toStdString();
+  EXPECT_FALSE(std::filesystem::exists(start.folder)) << "nothing is copied";
 }
 
 }  // namespace

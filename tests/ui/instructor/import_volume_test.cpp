@@ -169,6 +169,25 @@ TEST_F(ImportPageTest, a_tissue_that_the_author_named_stands_by_that_name) {
   EXPECT_TRUE(texts().contains(QStringLiteral("pulp stone"))) << texts().toStdString();
 }
 
+TEST_F(ImportPageTest, a_tissue_of_the_author_with_the_code_of_a_grown_tooth_s_is_refused_by_its_name) {
+  VoxelVolume volume(Grid{IVec3(40, 40, 40), 0.25, Vec3(0.0)});
+  for (int z = 10; z < 30; ++z)
+    for (int y = 10; y < 30; ++y)
+      for (int x = 10; x < 30; ++x) {
+        const std::size_t at = volume.grid.index({x, y, z});
+        volume.tissue[at] = Tissue{31};
+        volume.s[at] = kSolid;
+      }
+  volume.names[31] = "pulp stone";
+  ASSERT_TRUE(write_nrrd(volume, folder / "own.nrrd"));
+  open({file("own.nrrd")});
+  button(QStringLiteral("Make a specimen"))->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
+  EXPECT_EQ(page->preview()->volume(), nullptr);
+  const QString shown = page->findChild<Band*>()->text();
+  for (const char* part : {"own.nrrd", "pulp stone", "16 to 28"}) EXPECT_TRUE(shown.contains(QLatin1String(part))) << shown.toStdString();
+}
+
 TEST_F(ImportPageTest, the_size_of_a_large_volume_can_be_confirmed) {
   write_text(folder / "map.nrrd", "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 30 8 8\nspacings: 5 5 5\nencoding: raw\n\n" + std::string(1920, '\2'));
   open({file("map.nrrd")});
