@@ -242,7 +242,8 @@ void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optio
   OpenedAttempt& attempt = *in.attempt;
   const Scenario& scenario = attempt.session->scenario();
   const bool is_tooth = !scenario.specimen.generator.ends_with("block");
-  in.panel->set_exercise(scenario, {.target = !attempt.look->empty(), .pulp = attempt.has_pulp, .guidance = in.guidance});
+  in.panel->set_exercise(scenario, {.target = !attempt.look->empty(), .pulp = attempt.has_pulp, .guidance = in.guidance,
+                                    .names = attempt.session->scene()->specimen->names()});
   in.panel->set_device(attempt.session->device(), attempt.session->stiffness_share());
   in.bar->set_device(attempt.session->device());
   in.bar->set_time_limit(attempt.session->time_limit_s());

@@ -14,7 +14,6 @@
 #include "ui/drill/section_view.h"
 #include "ui/drill/session_foot.h"
 #include "ui/text/grade_text.h"
-#include "ui/text/names.h"
 #include "ui/text/tooth_sides.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/icon.h"
@@ -264,7 +263,7 @@ void ScorePanel::set_exercise(const Scenario& scenario, const Has& has) {
   handpiece_->set_exercise(scenario, has.guidance);
   handpiece_rule_->setVisible(!handpiece_->isHidden());
   for (const ScenarioTissue& t : scenario.tissues) {
-    tissues_.push_back({t.tissue, add_bar(*tissue_grid_, tissue_name(t.tissue), role_of(t.tissue))});
+    tissues_.push_back({t.tissue, add_bar(*tissue_grid_, tissue_name(t.tissue, has.names), role_of(t.tissue))});
     tissue_grid_->addWidget(new Swatch(on_tooth(t.tissue), this), tissue_grid_->rowCount() - 1, 0);
   }
 }

@@ -11,6 +11,7 @@
 #include "ui/modules.h"
 #include "ui/session/exercise_session.h"
 #include "ui/session/observer.h"
+#include "ui/text/names.h"
 #include "ui/widgets/gauge.h"
 
 class QGridLayout;
@@ -33,6 +34,7 @@ class ScorePanel : public QFrame {
   struct Has {
     bool target = false, pulp = false;
     Guidance guidance = Guidance::full;  // silent: the task, no progress, and nothing of what was removed
+    TissueNames names{};                 // the specimen's, of its own tissues
   };
   /// Called once.
   void set_exercise(const Scenario& scenario, const Has& has);

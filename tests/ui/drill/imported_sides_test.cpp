@@ -1,4 +1,4 @@
-// Sides of a tooth from a file: by its number and its mesial axis, as those of a grown tooth.
+// Sides of a tooth from a file: by its number and its mesial axis, as those of a grown tooth. And the names of its tissues.
 #include <gtest/gtest.h>
 
 #include <QLabel>
@@ -58,6 +58,18 @@ TEST(ImportedSides, stand_in_the_compass_and_in_the_section_of_the_drilling_scre
   panel.set_exercise(of_a_file(26, {-5, 0, 0}), {.target = true, .pulp = true});
   const auto labels = panel.findChildren<QLabel*>();
   EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel* label) { return label->text() == QStringLiteral("buccal–palatal"); }));
+}
+
+TEST(ImportedTissues, stand_in_the_score_panel_by_their_author_s_names) {
+  Scenario scenario = of_a_file(26, {-5, 0, 0});
+  scenario.tissues = {{Tissue::enamel, 3, 0.5}, {Tissue{16}, 2, 3}};
+  ScorePanel panel;
+  panel.set_exercise(scenario, {.target = true, .names = {{16, "pulp stone"}}});
+  const auto names = [&panel](const QString& text) {
+    return std::ranges::any_of(panel.findChildren<QLabel*>(), [&text](const QLabel* label) { return label->text() == text; });
+  };
+  EXPECT_TRUE(names(QStringLiteral("pulp stone")));
+  EXPECT_TRUE(names(QStringLiteral("Enamel")));
 }
 
 TEST(ImportedSides, turn_the_view_to_distal_in_each_quadrant) {
