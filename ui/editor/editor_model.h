@@ -138,8 +138,8 @@ class EditorModel : public QObject {
   /// compare the target with its tissues too.
   void set_facts(std::optional<SpecimenFacts> facts, std::vector<Vec3> pulp_mm = {},
                  std::shared_ptr<const Specimen> specimen = nullptr);
-  /// Takes what check_attempts() (scenarios/checks) found of this exercise before publishing: an untouched specimen and two token cuts
-  /// are graded. False if one of them earns points or passes. findings() contains what was found until the next edit.
+  /// Takes what check_attempts() (scenarios/checks) found of this exercise before publishing: an untouched specimen, two token cuts and the
+  /// finished target are graded. False if one of the findings is an error. findings() contains them until the next edit.
   bool prove(std::vector<Finding> of_attempts);
   const std::optional<SpecimenFacts>& facts() const { return facts_; }
   /// Of the facts; null until it is grown.

@@ -22,7 +22,7 @@ std::uint64_t drawn_seed(AssignmentId assignment, UserId student, int draw);
 using GrowSpecimen = std::function<Outcome<std::shared_ptr<const Specimen>>(const Scenario& exercise)>;
 
 /// The exercise on the candidate's tooth: the first one tried that it fits without an error of check_exercise(). A criterion that
-/// cannot be measured is none where the exercise's own tooth lacks it too. Fails as `grow` does, or with no_tooth. Seconds.
+/// cannot be measured, or a target that does not pass itself, is none where the exercise's own tooth has it too. Fails as `grow` does, or with no_tooth. Seconds.
 Outcome<Scenario> draw_tooth(const Scenario& exercise, AssignmentId assignment, UserId student, const GrowSpecimen& grow);
 
 }  // namespace cusp::ui
