@@ -150,6 +150,8 @@ class EditorModel : public QObject {
   /// Errors first. From validate(), check_regions() and check_texts(). Without facts the checks that need the specimen do not run;
   /// with the pulp's voxels alone only the rule about opening it is checked.
   const std::vector<Finding>& findings() const { return findings_; }
+  /// Whether the exercise can be tried out: no error stands but those of prove(), whose cause a try-out shows.
+  bool playable() const { return playable_; }
   enum class Standing {
     unchanged,  // equals the published version
     failing,    // a check fails
@@ -204,6 +206,7 @@ class EditorModel : public QObject {
   std::vector<Vec3> pulp_mm_;
   std::shared_ptr<const Specimen> specimen_;  // of facts_; may be null
   std::vector<Finding> findings_;
+  bool playable_ = false;
   int gesture_ = 0;
   QUndoStack stack_;  // the last member: its commands refer to scenario_
 };

@@ -54,6 +54,7 @@ void EditorModel::check() {
     std::erase_if(texts, [](const Finding& f) { return f.code == "text_of_template"; });
   add(std::move(texts));
   if (!specimen_) check_pulp();
+  playable_ = !has_error(findings_);
 }
 
 void EditorModel::add(std::vector<Finding> findings) {

@@ -185,7 +185,7 @@ void EditorPage::follow_model() {
   show_title();
   show_version();
   const EditorModel::Standing standing = model_->standing();
-  const bool whole = grown_ != nullptr && !has_error(model_->findings());
+  const bool whole = grown_ != nullptr && model_->playable();
   try_->setEnabled(whole && opengl_allowed());
   reference_->setEnabled(whole && !reference_job_->running());
   tooth_->setText(isolate(s.specimen.generator.empty() ? breakable(specimen_name(s.specimen), kWholeInPanel) : specimen_name(s.specimen)));

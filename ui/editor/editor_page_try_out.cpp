@@ -36,7 +36,7 @@ void EditorPage::add_try_outs(QHBoxLayout& row) {
 
 void EditorPage::try_out() {
   take_typed();
-  if (!grown_ || has_error(model_->findings())) return;
+  if (!grown_ || !model_->playable()) return;
   stop_reference();  // its report would open over the drilling
   SessionPlan plan;
   plan.scenario = model_->scenario();
@@ -64,7 +64,7 @@ void EditorPage::follow_reference() {
 
 void EditorPage::try_out_by_reference() {
   take_typed();
-  if (!grown_ || has_error(model_->findings()) || reference_job_->running()) return;
+  if (!grown_ || !model_->playable() || reference_job_->running()) return;
   band_->clear();
   auto* busy = new Busy;
   busy->start(tr("The reference operator cuts it"), Busy::Cancel::offered);

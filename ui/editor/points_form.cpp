@@ -130,7 +130,7 @@ void PointsForm::show_measuring() {
   const QString text = running ? tr("Stop measuring") : tr("Measure the operators");
   measure_->setText(u' ' + text);  // as make_button: the style leaves no space after the sign
   measure_->setAccessibleName(text);
-  measure_->setEnabled(running || (model_.specimen() != nullptr && !has_error(model_.findings())));
+  measure_->setEnabled(running || (model_.specimen() != nullptr && model_.playable()));
 }
 
 PointsForm::Row PointsForm::make_row(std::size_t index) {

@@ -249,6 +249,18 @@ TEST(editor_model, publishing_waits_for_a_change_the_tooth_and_every_check) {
   EXPECT_EQ(place_of(model.findings().front()), EditorPlace::burs);
 }
 
+TEST(editor_model, what_does_not_pass_the_check_before_publishing_can_be_tried_out) {
+  EditorModel model(class_one());
+  model.set_facts(facts_of_36());
+  ASSERT_TRUE(model.set_pass(80));
+  EXPECT_TRUE(model.playable());
+  EXPECT_FALSE(model.prove({{Severity::error, "/rubric/pass", "target_fails", {{"value", 60}, {"limit", 80}}, {}}}));
+  EXPECT_FALSE(model.publishable());
+  EXPECT_TRUE(model.playable()) << "the operators' report shows which criteria cost the points";
+  while (!model.scenario().instruments.empty()) model.remove_bur(0);
+  EXPECT_FALSE(model.playable());
+}
+
 TEST(editor_model, a_finding_about_the_figures_of_tissues_leads_to_them) {
   EditorModel model(class_one());
   for (std::size_t i = 0; i < model.scenario().tissues.size(); ++i) ASSERT_TRUE(model.set_tissue_figures(i, 1, 0));
