@@ -97,6 +97,11 @@ def own_tissue(desk):
     status, out, err = desk.run("import", stone, "--turn", "z", "-o", turned)
     check(status == 0 and "pulp stone: " in out, f"a named tissue: exit {status}: {out}{err}")
     check(desk.json("import", stone, "--turn", "z", "-o", turned)["tissues"] == ["16"], "a script needs the code")
+    firm = desk.path("firm.nrrd")
+    with open(firm, "wb") as f:
+        f.write(header.replace("tissue 16", "tissue 31").encode("ascii") + struct.pack("<HH", 31, 65535) * 512)
+    failed(desk, "a code that means firm caries", (firm, "--turn", "z", "-o", desk.path("firm-turned.nrrd")), "pulp stone")
+    check(not os.path.exists(desk.path("firm-turned.nrrd")), "a refused import left a volume")
 
     def on_the_stone(scenario):
         scenario["specimen"] = {"volume": "stone.nrrd", "voxel_mm": 0.5}

@@ -13,6 +13,7 @@
 #include "scenarios/import/nrrd.h"
 #include "scenarios/import/quarter_turn.h"
 #include "scenarios/landmarks/propose.h"
+#include "scenarios/specimens/taken_codes.h"
 #include "scenarios/templates/templates.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/text.h"
@@ -119,6 +120,7 @@ struct OwnTooth {
 Result<OwnTooth, Message> own_tooth(const std::string& file, int fdi) {
   auto volume = read_nrrd(file);
   if (!volume) return std::unexpected(describe(volume.error()));
+  if (const auto refused = refuse_taken_codes(*volume, std::filesystem::path(file).filename().string())) return std::unexpected(describe(*refused));
   auto landmarks = propose_landmarks(*volume, fdi);
   if (!landmarks && landmarks.error().code == ProposeError::unknown_fdi) return std::unexpected(Message{CliText::tr("%1 is no tooth’s number.").arg(fdi), {}});
   if (!landmarks) return std::unexpected(Message{CliText::tr("%1 holds no tooth.").arg(QString::fromStdString(file)), {}});
