@@ -14463,6 +14463,14 @@ Ihr bester davor</translation>
         <source>Station %1 has given out another file under number %2 before. Close Cusp there, move its file that ends in .key away, and start Cusp: it makes a new key. Make that known here; nothing was changed.</source>
         <translation>Station %1 hat unter Nummer %2 schon eine andere Datei ausgegeben. Schließen Sie dort Cusp, verschieben Sie die Datei, deren Name auf .key endet, in einen anderen Ordner und starten Sie Cusp: Es erstellt einen neuen Schlüssel. Machen Sie diesen hier bekannt; nichts wurde geändert.</translation>
     </message>
+    <message>
+        <source>This file cannot be used.</source>
+        <translation>Diese Datei kann nicht verwendet werden.</translation>
+    </message>
+    <message>
+        <source>In %1 the tissue %2 has the code of a grown tooth’s: 29 and 30 are a neighbour’s, 31 is firm caries. Give it one from 16 to 28.</source>
+        <translation>In %1 hat das Gewebe %2 die Nummer eines Gewebes erzeugter Zähne: 29 und 30 gehören einem Nachbarzahn, 31 ist feste Karies. Geben Sie ihm eine von 16 bis 28.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::TextsForm</name>
