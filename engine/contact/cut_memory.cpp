@@ -8,7 +8,7 @@
 namespace cusp::engine {
 
 namespace {
-constexpr std::size_t kMostBack = 64;  // segments of a way that is followed back: 0.03 mm at 0.5 um a tick
+constexpr std::size_t kMostBack = 64;  // segments of a way that is followed back: 0.04 mm at 0.6 um a tick
 Vec3 nearest_on(const CutMemory::Segment& s, Vec3 y) noexcept {
   const Vec3 along = s.b - s.a;
   const double square = glm::dot(along, along);
@@ -83,12 +83,6 @@ bool CutMemory::add(Vec3 from, Vec3 to, const Sweeper& by) noexcept {
   append({from, to, by});
   open_ = true;
   return false;
-}
-
-bool CutMemory::straight_from(Vec3 p) const noexcept {
-  if (count_ == 0) return false;
-  const Vec3 off = nearest_on(segments_[newest()], p) - p;
-  return glm::dot(off, off) < kStraightMm * kStraightMm;
 }
 
 bool CutMemory::nearly_straight_from(Vec3 p, double off_mm) const noexcept {

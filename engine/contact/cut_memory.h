@@ -28,8 +28,6 @@ class CutMemory {
 
   /// The pivot of `by` cut from `from` to `to`. True if this only lengthened the last segment.
   bool add(Vec3 from, Vec3 to, const Sweeper& by) noexcept;
-  /// True if the last segment passes through p within kStraightMm.
-  bool straight_from(Vec3 p) const noexcept;
   /// True if the way from p to the newest pose has no gap and stays within off_mm of the line between them.
   bool nearly_straight_from(Vec3 p, double off_mm) const noexcept;
   /// The next add() starts a new segment (button up, bur changed).

@@ -2,6 +2,7 @@
 // passed over; the outline's pieces that can be nearest anywhere in the brick are picked out; then four voxels at a time
 // in single precision, relative to the pivot in voxels: 1e-5 of a voxel, where a cut value's quantum is 8e-5.
 #include <cmath>
+#include <optional>
 
 #include "engine/removal/carve.h"
 #include "engine/removal/flat_head.h"
@@ -25,11 +26,26 @@ struct Frame {
 /// Where on the way a brick's places are nearest to the head.
 enum class Nearest { at_start, at_end, either };
 
-class Carving {
+/// The brick at hand: what all pieces of a way share of it.
+struct AtBrick {
+  int index = 0;
+  IVec3 corner{0};
+  const std::uint16_t* known = nullptr;  // its cut values; none: nothing was cut
+  std::uint16_t* values = nullptr;       // once written
+  bool written = false;
+  ChangedVoxels changed;
+};
+
+/// Places that a neighbouring piece or the last carving answers for: those nearest to an end of this one.
+struct Elsewhere {
+  bool start = false, end = false;
+};
+
+/// The head along one straight piece of a way.
+class Piece {
  public:
-  Carving(Volume& volume, Vec3 a, Vec3 b, const Bur& bur, Vec3 axis, SweepStart start) noexcept
-      : volume_{volume}, bur_{bur}, axis_{axis}, a_{a}, b_{b}, start_carved_{start == SweepStart::carved},
-        voxel_{volume.grid().voxel_mm}, head_{bur.head, voxel_} {
+  Piece(Volume& volume, Vec3 a, Vec3 b, const Bur& bur, const FlatHead& head, Vec3 axis, Elsewhere elsewhere) noexcept
+      : volume_{volume}, bur_{bur}, axis_{axis}, a_{a}, b_{b}, elsewhere_{elsewhere}, voxel_{volume.grid().voxel_mm}, head_{head} {
     start_ = (a - volume.grid().origin_mm) / voxel_;
     way_ = (b - a) / voxel_;
     length_ = std::sqrt(glm::dot(way_, way_));
@@ -51,20 +67,53 @@ class Carving {
       axis_y_[i] = static_cast<float>(in[i]->y);
       axis_z_[i] = static_cast<float>(in[i]->z);
     }
-  }
-
-  Carved run(CarvePart part) noexcept {
-    const Grid& grid = volume_.grid();
-    const Profile& head = bur_.head;
     // The head lies in a cylinder about its axis: its box, swept, with the band round it.
-    const double wide = head.widest() / voxel_ + kBandVoxels;
-    const Vec3 foot = start_ + axis_ * (head.low() / voxel_), top = start_ + axis_ * (head.high() / voxel_);
+    const Grid& grid = volume.grid();
+    const double wide = bur.head.widest() / voxel_ + kBandVoxels;
+    const Vec3 foot = start_ + axis_ * (bur.head.low() / voxel_), top = start_ + axis_ * (bur.head.high() / voxel_);
     const Vec3 least = glm::min(glm::min(foot, top), glm::min(foot, top) + way_) - wide;
     const Vec3 most = glm::max(glm::max(foot, top), glm::max(foot, top) + way_) + wide;
     low_ = glm::max(IVec3(glm::floor(least)), IVec3(0));
     high_ = glm::min(IVec3(glm::ceil(most)), grid.size - 1);
-    for_bricks_of(part, low_, high_, out_, [this](IVec3 at) { brick(at); });
-    return out_;
+  }
+  IVec3 low() const noexcept { return low_; }
+  IVec3 high() const noexcept { return high_; }
+
+  enum class Did : std::uint8_t { lowered, cleared, no_room };
+  /// Lowers a brick's values to the distance from the piece.
+  Did brick(AtBrick& brick) noexcept {
+    const Vec3 middle = Vec3(brick.corner) + kHalfBrick - start_;
+    // From the middle of the way no pose is further than half of it; distance is convex, so it lies above its tangent.
+    const Vec3 from = middle - 0.5 * way_;
+    Vec3 slope;
+    const double d = head_distance(bur_, axis_, from * voxel_, slope) / voxel_;
+    const double nearest = d - 0.5 * length_;
+    const Vec3 steep = glm::abs(slope);
+    if (nearest - kHalfBrick * (steep.x + steep.y + steep.z) >= kBandVoxels) return Did::lowered;
+    if (d + 0.5 * length_ + kBrickReach <= -kBandVoxels) return Did::cleared;
+
+    const Seen whole = seen(from, kHalfBrick, kBrickReach);
+    if (answered_elsewhere(whole.where)) return Did::lowered;
+    brick_ = &brick;
+    const bool plain = whole.where != Nearest::either && whole.hand.chain;
+    // By eighths: what their middles' tangents cannot rule out, and of a brick that is not plain what each sees of the head.
+    for (int i = 0; i < 8; ++i) {
+      const IVec3 low(i & 1 ? 4 : 0, i & 2 ? 4 : 0, i & 4 ? 4 : 0);
+      if (glm::any(glm::greaterThan(brick.corner + low, high_)) || glm::any(glm::lessThan(brick.corner + low + 3, low_))) continue;
+      const Vec3 off = Vec3(low) + kHalfEighth - kHalfBrick;
+      const double near = nearest + glm::dot(slope, off);
+      if (near - kHalfEighth * (steep.x + steep.y + steep.z) >= kBandVoxels) continue;
+      bool room = true;
+      if (plain) {
+        room = eighth(low, whole, slope, near);
+      } else {
+        const Seen part = seen(from + off, kHalfEighth, kEighthReach);
+        if (answered_elsewhere(part.where)) continue;
+        room = eighth(low, part, slope, near);
+      }
+      if (!room) return Did::no_room;
+    }
+    return Did::lowered;
   }
 
  private:
@@ -81,49 +130,8 @@ class Carving {
     return Nearest::either;
   }
 
-  void brick(IVec3 at) noexcept {
-    const int index = volume_.specimen().brick_index(at);
-    if (index < 0 || !volume_.cuttable(index)) return;
-    const IVec3 corner = at * kBrickEdge;
-    const Vec3 middle = Vec3(corner) + kHalfBrick - start_;
-    // From the middle of the way no pose is further than half of it; distance is convex, so it lies above its tangent.
-    const Vec3 from = middle - 0.5 * way_;
-    Vec3 slope;
-    const double d = head_distance(bur_, axis_, from * voxel_, slope) / voxel_;
-    const double nearest = d - 0.5 * length_;
-    const Vec3 steep = glm::abs(slope);
-    if (nearest - kHalfBrick * (steep.x + steep.y + steep.z) >= kBandVoxels) return;
-    if (d + 0.5 * length_ + kBrickReach <= -kBandVoxels) return clear(index, corner);
-
-    const Seen whole = seen(from, kHalfBrick, kBrickReach);
-    if (whole.where == Nearest::at_start && start_carved_) return;
-    brick_.index = index;
-    brick_.corner = corner;
-    brick_.known = volume_.cut_of(index);
-    brick_.written = false;
-    brick_.changed = {};
-    const bool plain = whole.where != Nearest::either && whole.hand.chain;
-    // By eighths: what their middles' tangents cannot rule out, and of a brick that is not plain what each sees of the head.
-    for (int i = 0; i < 8; ++i) {
-      const IVec3 low(i & 1 ? 4 : 0, i & 2 ? 4 : 0, i & 4 ? 4 : 0);
-      if (glm::any(glm::greaterThan(corner + low, high_)) || glm::any(glm::lessThan(corner + low + 3, low_))) continue;
-      const Vec3 off = Vec3(low) + kHalfEighth - kHalfBrick;
-      const double near = nearest + glm::dot(slope, off);
-      if (near - kHalfEighth * (steep.x + steep.y + steep.z) >= kBandVoxels) continue;
-      bool room = true;
-      if (plain) {
-        room = eighth(low, whole, slope, near);
-      } else {
-        const Seen part = seen(from + off, kHalfEighth, kEighthReach);
-        if (part.where == Nearest::at_start && start_carved_) continue;
-        room = eighth(low, part, slope, near);
-      }
-      if (!room) {
-        out_.overflow = true;
-        break;
-      }
-    }
-    record();
+  bool answered_elsewhere(Nearest where) const noexcept {
+    return (where == Nearest::at_start && elsewhere_.start) || (where == Nearest::at_end && elsewhere_.end);
   }
 
   /// What a cube of places sees of the head: `from` its middle, from the pivot in the middle of the way.
@@ -152,25 +160,6 @@ class Carving {
     };
     out.where = nearest_of(out.hand, cosine(p - half_p, true), cosine(p + half_p, false));
     return out;
-  }
-
-  /// Everything in this brick is deep inside the bur.
-  void clear(int index, IVec3 corner) noexcept {
-    std::uint16_t* values = volume_.cut_for_writing(index);
-    if (values == nullptr) {
-      out_.overflow = true;
-      return;
-    }
-    brick_.index = index;
-    brick_.corner = corner;
-    brick_.changed = {};
-    for (int o = 0; o < kBrickVoxels; ++o) {
-      if (values[o] == 0) continue;
-      values[o] = 0;
-      volume_.forget_sweep(index, o);
-      brick_.changed.add_row(o >> 3 & 7, o >> 6, 1u << (o & 7));
-    }
-    record();
   }
 
   /// What the rows of an eighth share: places of its first row against the head, and what the head's rim asks.
@@ -233,16 +222,16 @@ class Carving {
     const LaneMask was = from_memory(four);
     less = bits_of(solid < was) & meant;
     if (less == 0) return Wrote::nothing;
-    if (!brick_.written) {
-      std::uint16_t* values = volume_.cut_for_writing(brick_.index);
+    if (!brick_->written) {
+      std::uint16_t* values = volume_.cut_for_writing(brick_->index);
       if (values == nullptr) return Wrote::no_room;
-      brick_.known = brick_.values = values;
-      brick_.written = true;
+      brick_->known = brick_->values = values;
+      brick_->written = true;
     }
     for (int i = 0; i < kLanes; ++i) {
       if ((less >> i & 1u) == 0) continue;
-      brick_.values[o + i] = static_cast<std::uint16_t>(solid[i]);
-      if (volume_.keeps_sweeps()) volume_.forget_sweep(brick_.index, o + i);
+      brick_->values[o + i] = static_cast<std::uint16_t>(solid[i]);
+      if (volume_.keeps_sweeps()) volume_.forget_sweep(brick_->index, o + i);
     }
     return Wrote::some;
   }
@@ -250,7 +239,7 @@ class Carving {
   /// 4 x 4 x 4 voxels of the brick from `low` on; `nearest`: the least that their middle can be off the head.
   /// False when the volume has no room.
   bool eighth(IVec3 low, const Seen& seen, Vec3 slope, double nearest) noexcept {
-    const IVec3 first = brick_.corner + low;
+    const IVec3 first = brick_->corner + low;
     const IVec3 from = glm::max(low_ - first, IVec3(0));
     const IVec3 to = glm::min(high_ - first, IVec3(3));
     Eighth e = eighth_of(first, (0xfu << from.x) & (0xfu >> (3 - to.x)), seen, slope, nearest);
@@ -258,13 +247,13 @@ class Carving {
       for (int y = from.y; y <= to.y; ++y) {
         const int o = brick_offset(low.x, low.y + y, low.z + z);
         std::uint64_t four = ~std::uint64_t{0};
-        if (brick_.known != nullptr) __builtin_memcpy(&four, brick_.known + o, sizeof four);
+        if (brick_->known != nullptr) __builtin_memcpy(&four, brick_->known + o, sizeof four);
         if (four == 0 || e.foot_d + e.slope.y * y + e.slope.z * z >= kBandVoxels) continue;
         unsigned less = 0;
         const Wrote wrote = lower_row(o, four, row_distance(e, seen, y, z), e.meant, less);
         if (wrote == Wrote::no_room) return false;
         if (wrote == Wrote::nothing) continue;
-        brick_.changed.add_row(low.y + y, low.z + z, less << low.x);
+        brick_->changed.add_row(low.y + y, low.z + z, less << low.x);
       }
     return true;
   }
@@ -281,29 +270,12 @@ class Carving {
     return out;
   }
 
-  /// What has changed of the brick at hand.
-  void record() noexcept {
-    if (!brick_.changed.close(brick_.corner)) return;
-    volume_.touched(brick_.index);
-    out_.add(brick_.changed);
-  }
-
-  /// The brick at hand.
-  struct AtBrick {
-    int index = 0;
-    IVec3 corner{0};
-    const std::uint16_t* known = nullptr;  // its cut values; none: nothing was cut
-    std::uint16_t* values = nullptr;       // once written
-    bool written = false;
-    ChangedVoxels changed;
-  };
-
   Volume& volume_;
   const Bur& bur_;
   Vec3 axis_, a_, b_;
-  bool start_carved_;
+  Elsewhere elsewhere_;
   double voxel_;
-  FlatHead head_;
+  const FlatHead& head_;
   Vec3 start_{0.0}, way_{0.0};  // in voxels
   double length_ = 0.0;
   Frame frame_;
@@ -311,17 +283,75 @@ class Carving {
   Vec3 spread_{0.0};  // of a cube of half width 1 along t, p and q
   Lanes step_t_{}, step_p_{}, step_q_{};  // of four voxels in a row
   float axis_y_[3], axis_z_[3];           // y and z of t, p and q
-  AtBrick brick_;
+  AtBrick* brick_ = nullptr;
+  IVec3 low_{0}, high_{0};
+};
+
+/// The head along a way, brick by brick. Of two pieces that meet the later one answers for the place where they do.
+class Carving {
+ public:
+  Carving(Volume& volume, const Polyline& way, const Bur& bur, Vec3 axis, SweepStart start) noexcept
+      : volume_{volume}, head_{bur.head, volume.grid().voxel_mm}, pieces_{way.count - 1} {
+    for (int i = 0; i < pieces_; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      piece_[at].emplace(volume, way.vertex[at], way.vertex[at + 1], bur, head_, axis,
+                         Elsewhere{i == 0 && start == SweepStart::carved, i + 1 < pieces_});
+      low_ = i == 0 ? piece_[at]->low() : glm::min(low_, piece_[at]->low());
+      high_ = i == 0 ? piece_[at]->high() : glm::max(high_, piece_[at]->high());
+    }
+  }
+
+  Carved run(CarvePart part) noexcept {
+    for_bricks_of(part, low_, high_, out_, [this](IVec3 at) { brick(at); });
+    return out_;
+  }
+
+ private:
+  void brick(IVec3 at) noexcept {
+    const int index = volume_.specimen().brick_index(at);
+    if (index < 0 || !volume_.cuttable(index)) return;
+    AtBrick brick;
+    brick.index = index;
+    brick.corner = at * kBrickEdge;
+    brick.known = volume_.cut_of(index);
+    // The newest piece lowers most, and leaves the others little.
+    for (int i = pieces_ - 1; i >= 0; --i) {
+      const Piece::Did did = piece_[static_cast<std::size_t>(i)]->brick(brick);
+      if (did == Piece::Did::lowered) continue;
+      out_.overflow = (did == Piece::Did::cleared ? !clear(brick) : true) || out_.overflow;
+      break;
+    }
+    if (!brick.changed.close(brick.corner)) return;
+    volume_.touched(index);
+    out_.add(brick.changed);
+  }
+
+  /// Everything in this brick is deep inside the bur. False if the volume has no room.
+  bool clear(AtBrick& brick) noexcept {
+    std::uint16_t* values = volume_.cut_for_writing(brick.index);
+    if (values == nullptr) return false;
+    for (int o = 0; o < kBrickVoxels; ++o) {
+      if (values[o] == 0) continue;
+      values[o] = 0;
+      volume_.forget_sweep(brick.index, o);
+      brick.changed.add_row(o >> 3 & 7, o >> 6, 1u << (o & 7));
+    }
+    return true;
+  }
+
+  Volume& volume_;
+  FlatHead head_;
+  int pieces_;
+  std::array<std::optional<Piece>, Polyline::kMost - 1> piece_;
   IVec3 low_{0}, high_{0};
   Carved out_;
 };
 
 }  // namespace
 
-Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Bur& bur, Vec3 axis, SweepStart start,
-                   CarvePart part) noexcept {
-  if (bur.head.ball()) return carve_sweep(volume, a, b, bur.radius_mm, part);
-  return Carving(volume, a, b, bur, axis, start).run(part);
+Carved carve_sweep(Volume& volume, const Polyline& way, const Bur& bur, Vec3 axis, SweepStart start, CarvePart part) noexcept {
+  if (bur.head.ball()) return carve_sweep(volume, way.first(), way.last(), bur.radius_mm, part);
+  return Carving(volume, way, bur, axis, start).run(part);
 }
 
 }  // namespace cusp::engine

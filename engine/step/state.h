@@ -8,6 +8,7 @@
 #include "engine/contact/cut_memory.h"
 #include "engine/contact/surface_contact.h"
 #include "engine/contact/sweeps.h"
+#include "engine/removal/carve.h"
 #include "engine/removal/wear.h"
 #include "engine/step/guard.h"
 #include "engine/step/methods.h"
@@ -32,13 +33,14 @@ struct StepState::Inner {
   Vec3 cut_pose{0.0};              // banded: the bur's pose as far as removal goes
   bool started = false;
   bool cut_valid = false;
-  bool cut_pending = false;        // the sweep from cut_from to cut_pose is still growing
-  Vec3 cut_from{0.0};
+  bool cut_pending = false;        // the sweep along cut_way to cut_pose is still growing
+  Polyline cut_way;                // a head's: where the sweep begins and bends; a ball's: where it begins
   Vec3 cut_axis{0.0, 0.0, 1.0};    // of the bur in that sweep
   std::int32_t cut_first = 0, cut_last = -1;  // a ball's: those of `sweeps` that it is made of
   /// A finished sweep that is being carved, some bricks a tick.
   struct PendingSweep {
-    Vec3 from{0.0}, to{0.0}, axis{0.0};
+    Polyline way;
+    Vec3 axis{0.0};
     std::uint16_t bur = 0;
     bool start_carved = false;     // the sweep before ended where this one begins, with the same bur and axis
     std::int32_t first = 0, last = -1;  // a ball's: those of `sweeps` that it is made of

@@ -180,11 +180,16 @@ bool name_sweeps(const Volume& volume, const Sweeps& sweeps) noexcept {
   return true;
 }
 
+/// True if a way has the vertices that whoever goes on with it reads, and room for its end.
+bool has_vertices(const Polyline& way, int least, int most) noexcept { return way.count >= least && way.count <= most; }
+
 /// Indices and enums of the state are the scene's; what the spindle and the heat keep is in their range.
 bool in_range(const StepState::Inner& s) noexcept {
   const std::size_t burs = s.scene->burs.size();
   if (s.last.bur >= burs || index_of(s.last.tissue) >= kTissueCodes || s.guard.fault > Fault::stale) return false;
   if (s.pending_sweep.bur >= burs || s.pending_sweep.next < -1) return false;
+  if (!has_vertices(s.cut_way, s.cut_pending ? 1 : 0, Polyline::kMost - 1)) return false;
+  if (!has_vertices(s.pending_sweep.way, s.pending_sweep.next >= 0 ? 2 : 0, Polyline::kMost)) return false;
   if (!in_store(s.sweeps, {s.cut_first, s.cut_last}) || !in_store(s.sweeps, {s.pending_sweep.first, s.pending_sweep.last})) return false;
   if (!name_sweeps(s.volume, s.sweeps)) return false;
   for (std::size_t i = 0; i < s.memory.size(); ++i) {

@@ -77,11 +77,16 @@ void visit(Fields& f, T& guard) {
   visit(f, passivity);
 }
 
+template <class Fields, MaybeConst<Polyline> T>
+void visit(Fields& f, T& way) {
+  f("way.count", way.count);
+  for (auto& vertex : way.vertex) f("way.vertex", vertex);
+}
+
 template <class Fields, MaybeConst<StepState::Inner::PendingSweep> T>
 void visit(Fields& f, T& sweep) {
-  auto& [from, to, axis, bur, start_carved, first, last, next] = sweep;
-  f("pending_sweep.from", from);
-  f("pending_sweep.to", to);
+  auto& [way, axis, bur, start_carved, first, last, next] = sweep;
+  visit(f, way);
   f("pending_sweep.axis", axis);
   f("pending_sweep.bur", bur);
   f("pending_sweep.start_carved", start_carved);
@@ -186,7 +191,7 @@ template <class Fields, MaybeConst<StepState::Inner> T>
 void visit(Fields& f, T& state) {
   // scene is what the state is of; fronts and method are made from it.
   [[maybe_unused]] auto& [scene, volume, last, guard, proxy, device, predicted_excess, prediction_holds, cut_pose, started, cut_valid,
-                          cut_pending, cut_from, cut_axis, cut_first, cut_last, pending_sweep, wear_remainder, foot, memory, sweeps, fragment_removal, fronts, surface, method,
+                          cut_pending, cut_way, cut_axis, cut_first, cut_last, pending_sweep, wear_remainder, foot, memory, sweeps, fragment_removal, fronts, surface, method,
                           phenomena] = state;
   const IVec3 count = scene->specimen->brick_count();
   const int bricks = count.x * count.y * count.z;
@@ -200,7 +205,7 @@ void visit(Fields& f, T& state) {
   f("started", started);
   f("cut_valid", cut_valid);
   f("cut_pending", cut_pending);
-  f("cut_from", cut_from);
+  visit(f, cut_way);
   f("cut_axis", cut_axis);
   f("cut_first", cut_first);
   f("cut_last", cut_last);

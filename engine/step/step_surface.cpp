@@ -13,13 +13,11 @@ namespace cusp::engine {
 
 namespace {
 
-/// A stroke is carved in sweeps; meanwhile contact knows its poses. A sweep ends where the stroke turns, after half
-/// a voxel, and at kLongestSweepMm. If the stroke is not straight to 0.1 um, it ends after kLeastSweepMm.
+/// A stroke is carved in sweeps; meanwhile contact knows its poses. A sweep ends after half a voxel, and at kLongestSweepMm.
 constexpr double kLongestSweepMm = 0.04;
-constexpr double kLeastSweepMm = 0.03;
-/// The same of a ball that does not go straight. Contact has its sweeps exactly before and after; a carving costs a tick 75 us.
+/// Of a ball that does not go straight. Contact has its sweeps exactly before and after; a carving costs a tick 75 us.
 constexpr double kLeastBallSweepMm = 0.06;
-/// A sweep of another head ends where a bend of its path leaves the line by more: its clearance while it cuts.
+/// A piece of another head's sweep ends where a bend of its path leaves the line by more: its clearance while it cuts.
 constexpr double kBentMm = SurfaceContact::kClearanceMm;
 /// A shorter slide takes at most its own length too much, and a carved sweep moves the contact that far anyway.
 constexpr double kLeastSlideMm = 0.0004;
@@ -74,11 +72,11 @@ bool carve_pending(StepState::Inner& state, int bricks) noexcept {
   const Bur& bur = state.scene->burs[sweep.bur];
   Carved carved;
   if (!bur.head.ball())
-    carved = carve_sweep(state.volume, sweep.from, sweep.to, bur, sweep.axis, sweep.start_carved ? SweepStart::carved : SweepStart::uncut, {sweep.next, bricks});
+    carved = carve_sweep(state.volume, sweep.way, bur, sweep.axis, sweep.start_carved ? SweepStart::carved : SweepStart::uncut, {sweep.next, bricks});
   else if (sweep.first >= 0)
     carved = carve_run(state.volume, state.sweeps, {sweep.first, sweep.last}, {sweep.next, bricks});
   else
-    carved = carve_sweep(state.volume, sweep.from, sweep.to, bur.radius_mm, {sweep.next, bricks});
+    carved = carve_sweep(state.volume, sweep.way.first(), sweep.way.last(), bur.radius_mm, {sweep.next, bricks});
   for_changed(carved, [&](const ChangedVoxels& changed) { state.surface->changed(state.volume, changed); });
   sweep.next = carved.next;
   state.surface->set_cutting(cutting_of(state));
@@ -103,13 +101,15 @@ int bricks_a_tick(const StepState::Inner& state) noexcept {
   return !bur.head.ball() || front < 10.0 ? kAllBricks : 1 + static_cast<int>(front / kFrontTicks);
 }
 
-/// Queues the sweep from cut_from to cut_pose, after carving the one that was pending. False if the volume had no room.
+/// Queues the sweep along cut_way to cut_pose, after carving the one that was pending. False if the volume had no room.
 bool queue_sweep(StepState::Inner& state, std::uint16_t bur) noexcept {
   const bool room = carve_pending(state, kAllBricks);
   StepState::Inner::PendingSweep& sweep = state.pending_sweep;
-  const bool goes_on = sweep.to == state.cut_from && sweep.axis == state.cut_axis && sweep.bur == bur;
-  sweep = {state.cut_from, state.cut_pose, state.cut_axis, bur, goes_on, state.cut_first, state.cut_last, 0};
-  state.cut_from = state.cut_pose;
+  const bool goes_on =
+      sweep.way.count > 0 && sweep.way.last() == state.cut_way.first() && sweep.axis == state.cut_axis && sweep.bur == bur;
+  sweep = {state.cut_way, state.cut_axis, bur, goes_on, state.cut_first, state.cut_last, 0};
+  sweep.way.add(state.cut_pose);
+  state.cut_way = {{state.cut_pose}, 1};
   state.sweeps.seal();
   state.cut_pending = false;
   return room;
@@ -243,8 +243,8 @@ bool limit_slide(StepState::Inner& state, const Tick& tick, const Contact& conta
   return true;
 }
 
-/// Stores a way of the bur. True if the growing sweep is straight with it. A sweep that does not go on with it is queued.
-bool store_way(StepState::Inner& state, const Tick& tick, Vec3 from, Vec3 to, StepOutput& out) noexcept {
+/// Stores a way of the bur. A sweep that does not go on with it is queued.
+void store_way(StepState::Inner& state, const Tick& tick, Vec3 from, Vec3 to, StepOutput& out) noexcept {
   const Bur& bur = state.scene->burs[out.bur];
   if (bur.head.ball()) {
     if (state.cut_pending && state.cut_last - state.cut_first + 1 >= kMostAtOnce)
@@ -256,13 +256,23 @@ bool store_way(StepState::Inner& state, const Tick& tick, Vec3 from, Vec3 to, St
       out.overflow = !queue_sweep(state, out.bur) || out.overflow;
     state.cut_last = id;
     if (!state.cut_pending) state.cut_first = state.cut_last;
-    return state.cut_last == state.cut_first;
+    return;
   }
   if (state.cut_pending && !(state.cut_axis == tick.axis)) out.overflow = !queue_sweep(state, out.bur) || out.overflow;
   const bool goes_on = state.memory.add(from, to, {out.bur, tick.axis});
-  if (state.cut_pending && !goes_on && !state.memory.nearly_straight_from(state.cut_from, kBentMm))
+  if (!state.cut_pending || goes_on || state.memory.nearly_straight_from(state.cut_way.last(), kBentMm)) return;
+  if (state.cut_way.count + 1 < Polyline::kMost) {
+    state.cut_way.add(from);
+  } else {
     out.overflow = !queue_sweep(state, out.bur) || out.overflow;
-  return state.memory.straight_from(state.cut_pending ? state.cut_from : from);
+  }
+}
+
+/// Of a way that goes on to `end`, mm.
+double length_to(const Polyline& way, Vec3 end) noexcept {
+  double length = length_of(end - way.last());
+  for (std::size_t i = 1; i < static_cast<std::size_t>(way.count); ++i) length += length_of(way.vertex[i] - way.vertex[i - 1]);
+  return length;
 }
 
 /// Stores the advance and lengthens the growing sweep, or queues it.
@@ -275,16 +285,16 @@ void sweep_along(StepState::Inner& state, const Tick& tick, const Advance& cut, 
     state.memory.break_path();
     state.sweeps.break_path();
   }
-  const bool straight = store_way(state, tick, from, next, out);
-  if (!state.cut_pending) state.cut_from = from;
+  store_way(state, tick, from, next, out);
+  if (!state.cut_pending) state.cut_way = {{from}, 1};
   state.cut_axis = tick.axis;
   state.cut_pose = next;
   state.cut_pending = true;
   out.cutting = true;
   out.advance_mm = cut.advance_mm;
-  const double least_mm = state.scene->burs[out.bur].head.ball() ? kLeastBallSweepMm : kLeastSweepMm;
-  const double longest_mm = straight ? std::min(kLongestSweepMm, 0.5 * state.volume.grid().voxel_mm) : least_mm;
-  if (length_of(next - state.cut_from) >= longest_mm) out.overflow = !queue_sweep(state, out.bur) || out.overflow;
+  const bool bent_ball = state.scene->burs[out.bur].head.ball() && state.cut_last != state.cut_first;
+  const double longest_mm = bent_ball ? kLeastBallSweepMm : std::min(kLongestSweepMm, 0.5 * state.volume.grid().voxel_mm);
+  if (length_to(state.cut_way, next) >= longest_mm) out.overflow = !queue_sweep(state, out.bur) || out.overflow;
   state.surface->set_cutting(cutting_of(state));
 }
 

@@ -224,6 +224,26 @@ TEST(KeyState, is_refused_if_a_voxel_or_a_run_names_the_gap_between_two_ways) {
   EXPECT_TRUE(StepState::restore(scene, state.save()));
 }
 
+TEST(KeyState, is_refused_if_a_way_that_is_carved_has_too_few_vertices_or_too_many) {
+  const auto scene = ball_scene();
+  StepState state(scene);
+  approach(state, {0.0, 0.9, 2.6}, {0.0, 0.9, 1.81});
+  StepState::Inner& inner = state.inner();
+  for (int k = 0; k < 200 && !inner.cut_pending; ++k) step(state, spiral(k));
+  ASSERT_TRUE(inner.cut_pending);
+  const auto restores_with = [&](int& count, int vertices) {
+    const int was = std::exchange(count, vertices);
+    const bool restores = StepState::restore(scene, state.save()).has_value();
+    count = was;
+    return restores;
+  };
+  EXPECT_TRUE(restores_with(inner.cut_way.count, Polyline::kMost - 1));
+  for (const int vertices : {-1, 0, Polyline::kMost}) EXPECT_FALSE(restores_with(inner.cut_way.count, vertices)) << vertices;
+  inner.pending_sweep.next = 0;
+  EXPECT_TRUE(restores_with(inner.pending_sweep.way.count, 2));
+  for (const int vertices : {-1, 1, Polyline::kMost + 1}) EXPECT_FALSE(restores_with(inner.pending_sweep.way.count, vertices)) << vertices;
+}
+
 Vec3 given_for(const GuardSettings& settings, GuardState& state, Vec3 raw_n) {
   std::uint16_t acts = 0;
   GuardTick tick;

@@ -226,19 +226,48 @@ TEST(CarveHead, of_a_ball_is_the_balls_own_carving) {
   EXPECT_EQ(one.hash(), other.hash());
 }
 
+/// Quanta between two volumes of one grid, at most.
+int most_apart(const Volume& one, const Volume& other) {
+  int apart = 0;
+  const Grid& grid = one.grid();
+  IVec3 v;
+  for (v.z = 0; v.z < grid.size.z; ++v.z)
+    for (v.y = 0; v.y < grid.size.y; ++v.y)
+      for (v.x = 0; v.x < grid.size.x; ++v.x) apart = std::max(apart, std::abs(one.cut(v) - other.cut(v)));
+  return apart;
+}
+
+constexpr int kRounding = 8;  // quanta: 7e-4 voxel, 0.05 um
+
 TEST(CarveHead, in_parts_removes_the_same_as_at_once) {
   for (const Bur& bur : all_shapes()) {
     Volume one = solid_block(3.2), other = solid_block(3.2);
     const Vec3 axis(0.36, 0.48, 0.8), a(0.0), b(0.4, -0.2, 0.1);
     carve_sweep(one, a, b, bur, axis);
     for (int i = 0; i < 8; ++i) carve_sweep(other, a + (b - a) * (i / 8.0), a + (b - a) * ((i + 1) / 8.0), bur, axis);
-    int apart = 0;
-    const Grid& grid = one.grid();
-    IVec3 v;
-    for (v.z = 0; v.z < grid.size.z; ++v.z)
-      for (v.y = 0; v.y < grid.size.y; ++v.y)
-        for (v.x = 0; v.x < grid.size.x; ++v.x) apart = std::max(apart, std::abs(one.cut(v) - other.cut(v)));
-    EXPECT_LE(apart, 8) << bur.name;  // quanta: 7e-4 voxel, 0.05 um
+    EXPECT_LE(most_apart(one, other), kRounding) << bur.name;
+  }
+}
+
+/// Bends by 0.1 to 180 degrees, in the plane of the axis and out of it.
+TEST(CarveHead, led_along_a_bent_way_removes_what_its_pieces_remove_one_by_one) {
+  const Vec3 axis(0.36, 0.48, 0.8), forth(0.12, -0.06, 0.03), beside(0.05, 0.1, -0.02);
+  const Polyline ways[] = {{{Vec3(0.0), forth, 2.0 * forth + beside * 0.002, 2.0 * forth + beside}, 4},
+                           {{Vec3(0.0), forth, forth + beside, beside}, 4},
+                           {{Vec3(0.0), axis * 0.1, axis * -0.05, forth - axis * 0.05}, 4},
+                           {{Vec3(0.0), forth, forth * 0.3}, 3}};
+  for (const Bur& bur : all_shapes()) {
+    if (bur.head.ball()) continue;
+    for (const Polyline& way : ways) {
+      Volume one = solid_block(3.2), other = solid_block(3.2), goes_on = solid_block(3.2);
+      for (int first = 0; first >= 0;) first = carve_sweep(one, way, bur, axis, SweepStart::uncut, {first, 5}).next;
+      for (std::size_t i = 1; i < static_cast<std::size_t>(way.count); ++i) carve_sweep(other, way.vertex[i - 1], way.vertex[i], bur, axis);
+      EXPECT_LE(most_apart(one, other), kRounding) << bur.name;
+      carve_sweep(goes_on, Vec3(-0.1, 0.0, 0.0), way.first(), bur, axis);
+      carve_sweep(goes_on, way, bur, axis, SweepStart::carved);
+      carve_sweep(one, Vec3(-0.1, 0.0, 0.0), way.first(), bur, axis);
+      EXPECT_LE(most_apart(one, goes_on), kRounding) << bur.name;
+    }
   }
 }
 
