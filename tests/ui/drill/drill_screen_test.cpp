@@ -45,6 +45,7 @@ class Screen : public testing::Test {
     SessionPlan plan;
     plan.guidance = guidance;
     plan.scenario = load_builtin(key).value();
+    plan.scenario.specimen.voxel_mm = 0.2;  // an eighth of its voxels
     plan.scenario.phenomena = phenomena;
     plan.kind = SessionKind::try_it;
     screen->begin(std::move(plan), {QStringLiteral("Channel"), QStringLiteral("Practice")});
