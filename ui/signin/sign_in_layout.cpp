@@ -231,7 +231,7 @@ QWidget* SignIn::make_first_start_form() {
   add_try_it(*column);
   column->addSpacing(px(12));
   QPushButton* back = make_button(tr("Go back to a backup"));
-  column->addWidget(back, 0, Qt::AlignLeading);
+  column->addWidget(back);
   connect(back, &QPushButton::clicked, this, &SignIn::way_back_wanted);
   connect(enter_, &QPushButton::clicked, this, &SignIn::create_administrator);
   connect(repeat_, &QLineEdit::returnPressed, this, &SignIn::create_administrator);
