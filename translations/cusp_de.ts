@@ -808,8 +808,8 @@
         <translation>Täglich</translation>
     </message>
     <message>
-        <source>By an administrator</source>
-        <translation>Von der Verwaltung</translation>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
     </message>
 </context>
 <context>

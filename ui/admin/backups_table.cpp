@@ -25,7 +25,7 @@ void BackupsTable::show_backups(std::vector<Backup> backups) {
   list_->removeRows(0, list_->rowCount());
   for (const Backup& backup : backups_) {
     QList<QStandardItem*> cells;
-    const QString kind = backup.kind == BackupKind::daily ? tr("Daily") : tr("By an administrator");
+    const QString kind = backup.kind == BackupKind::daily ? tr("Daily") : tr("By hand");
     for (const QString& text :
          {format_day_time(local_time(backup.made_utc_us)), kind, QLocale().toString(static_cast<qulonglong>(backup.sessions)),
           QLocale().formattedDataSize(static_cast<qint64>(backup.bytes), 1), QString::fromStdString(backup.folder.filename().string())}) {

@@ -162,7 +162,7 @@ TEST_F(Station, NamesTheKindOfEachBackup) {
   ASSERT_TRUE(listed(*shown));
   const QAbstractItemModel* list = shown->findChild<Table*>()->model();
   ASSERT_EQ(list->rowCount(), 2);
-  EXPECT_EQ(list->index(0, 1).data().toString(), QStringLiteral("By an administrator")) << "the newest first";
+  EXPECT_EQ(list->index(0, 1).data().toString(), QStringLiteral("By hand")) << "the newest first";
   EXPECT_EQ(list->index(1, 1).data().toString(), QStringLiteral("Daily"));
 }
 
