@@ -65,7 +65,7 @@ void CutMemory::append(const Segment& segment) noexcept {
   link(place);
 }
 
-bool CutMemory::add(Vec3 from, Vec3 to, const Sweeper& by) noexcept {
+void CutMemory::add(Vec3 from, Vec3 to, const Sweeper& by) noexcept {
   if (open_ && count_ > 0) {
     Segment& last = segments_[newest()];
     const Vec3 gap = from - last.b;
@@ -76,13 +76,12 @@ bool CutMemory::add(Vec3 from, Vec3 to, const Sweeper& by) noexcept {
       if (glm::dot(along, along) <= kLongestMm * kLongestMm && glm::dot(off, off) < kStraightMm * kStraightMm) {
         last.b = to;
         link(newest());
-        return true;
+        return;
       }
     }
   }
   append({from, to, by});
   open_ = true;
-  return false;
 }
 
 bool CutMemory::nearly_straight_from(Vec3 p, double off_mm) const noexcept {

@@ -26,8 +26,8 @@ class CutMemory {
     bool operator==(const Sweeper&) const = default;
   };
 
-  /// The pivot of `by` cut from `from` to `to`. True if this only lengthened the last segment.
-  bool add(Vec3 from, Vec3 to, const Sweeper& by) noexcept;
+  /// The pivot of `by` cut from `from` to `to`.
+  void add(Vec3 from, Vec3 to, const Sweeper& by) noexcept;
   /// True if the way from p to the newest pose has no gap and stays within off_mm of the line between them.
   bool nearly_straight_from(Vec3 p, double off_mm) const noexcept;
   /// The next add() starts a new segment (button up, bur changed).

@@ -92,8 +92,8 @@ struct Polyline {
   void add(Vec3 at) noexcept { vertex[static_cast<std::size_t>(count++)] = at; }
 };
 
-/// The same for any head, its pivot led along a way of two vertices or more, axis unit and fixed. A ball is led from the first to
-/// the last alone, and gives the same bits as above. Other heads are exact to 4e-4 voxel (tests/engine/tool/carve_test.cpp). If
+/// The same for any head, its pivot led along a way of two vertices or more, axis unit and fixed. A ball's way has two, and
+/// gives the same bits as above. Other heads are exact to 4e-4 voxel (tests/engine/tool/carve_test.cpp). If
 /// the rim's angle is below 90 degrees, the field inside the head is deeper than the head: wall and floor beside the rim then keep
 /// their distance (flat_head.h).
 /// carved: the last carving ended where the way begins, with this bur and axis. The volume is the same; the head's rear is skipped.

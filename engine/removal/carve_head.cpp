@@ -318,7 +318,7 @@ class Carving {
     for (int i = pieces_ - 1; i >= 0; --i) {
       const Piece::Did did = piece_[static_cast<std::size_t>(i)]->brick(brick);
       if (did == Piece::Did::lowered) continue;
-      out_.overflow = (did == Piece::Did::cleared ? !clear(brick) : true) || out_.overflow;
+      if (did == Piece::Did::no_room || !clear(brick)) out_.overflow = true;
       break;
     }
     if (!brick.changed.close(brick.corner)) return;

@@ -259,8 +259,8 @@ void store_way(StepState::Inner& state, const Tick& tick, Vec3 from, Vec3 to, St
     return;
   }
   if (state.cut_pending && !(state.cut_axis == tick.axis)) out.overflow = !queue_sweep(state, out.bur) || out.overflow;
-  const bool goes_on = state.memory.add(from, to, {out.bur, tick.axis});
-  if (!state.cut_pending || goes_on || state.memory.nearly_straight_from(state.cut_way.last(), kBentMm)) return;
+  state.memory.add(from, to, {out.bur, tick.axis});
+  if (!state.cut_pending || state.memory.nearly_straight_from(state.cut_way.last(), kBentMm)) return;
   if (state.cut_way.count + 1 < Polyline::kMost) {
     state.cut_way.add(from);
   } else {
