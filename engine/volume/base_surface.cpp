@@ -18,16 +18,7 @@ std::int16_t in_32767ths(double n) noexcept { return static_cast<std::int16_t>(s
 
 /// CellField::crossed() of the base field, by the cell's corners alone. Half of the cells near a surface are not crossed.
 bool crossed(const Specimen& specimen, IVec3 cell) noexcept {
-  const IVec3 local = cell & (kBrickEdge - 1);
-  const int brick = specimen.brick_index({cell.x >> 3, cell.y >> 3, cell.z >> 3});
-  const bool within = brick >= 0 && local.x < 7 && local.y < 7 && local.z < 7;
-  const std::uint16_t* values = within ? specimen.s_of(brick) : nullptr;
-  if (within && values == nullptr) return false;
-  const auto outside = [&](int i) {
-    const IVec3 o(i & 1, i >> 1 & 1, i >> 2);
-    const IVec3 v = local + o;
-    return distance_from_solid(within ? values[brick_offset(v.x, v.y, v.z)] : specimen.s(cell + o)) > 0.0;
-  };
+  const auto outside = [&](int i) { return distance_from_solid(specimen.s(cell + IVec3(i & 1, i >> 1 & 1, i >> 2))) > 0.0; };
   const bool first = outside(0);
   for (int i = 1; i < 8; ++i)
     if (outside(i) != first) return true;
