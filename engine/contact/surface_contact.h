@@ -69,8 +69,8 @@ class SurfaceContact {
   /// Budget of a tick: candidates of all searches after reset_budget(), at 25 to 50 ns, and so many passes at least; more while
   /// the bur cuts, for a tick with `deferred` set cuts nothing. Where it runs out, a search that has moved stops with it set.
   /// Caches decide how many candidates are looked at, so constraints are charged: for each, 1.2 to 2.1 were looked at.
-  static constexpr int kMostCandidates = 10000, kLeastPasses = 8, kLeastCutting = 48, kCandidatesOfConstraint = 2;
-  static constexpr int kCandidatesOfPass = 20, kHeadCandidate = 3;  // cost of a pass; of a candidate of another head, some 90 ns
+  static constexpr int kMostCandidates = 10000, kLeastPasses = 8, kLeastCutting = 16;
+  static constexpr int kCandidatesOfConstraint = 2, kCandidatesOfPass = 20, kHeadCandidate = 4;  // of another head: some 160 ns
   void reset_budget() noexcept {
     candidates_before_ = candidates_visited();
     candidates_left_ = kMostCandidates;
@@ -274,7 +274,8 @@ class SurfaceContact {
   void find_past(const Tool& tool, Vec3 at) noexcept;
   void relax_by_past(std::size_t from, std::size_t to) noexcept;
   static bool nearest_on(const Candidate& edge, double voxel_mm, double far_mm, Vec3& off, Vec3& along, double& curved) noexcept;
-  Vec3 leap_of(const Tool& tool, const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept;
+  static constexpr double kLongestLeap = 10.0, kFarthestLeapMm = 0.3;  // of the last pass's move, and mm
+  Vec3 leap_of_ball(const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept;
   void turn(const Tool& tool, Vec3 y, std::size_t plane) noexcept;
   Contact follow(const Volume& volume, const Scene& scene, std::uint16_t bur, Vec3 axis, Vec3 from, Vec3 device, Vec3 predicted,
                  double reach_mm, double most_mm) noexcept;
@@ -292,13 +293,15 @@ class SurfaceContact {
   void note_in_cavity(const Volume& volume, const PlaneSearch& found, Contact& out) const noexcept;
   struct PlaneSolve;
   void begin_search(const Volume& volume, const Tool& tool, PlaneSolve& s) noexcept;
+  Vec3 leap_of_head(const PlaneSearch& found, Vec3 y, PlaneSolve& s, bool& rolls) const noexcept;
+  Vec3 leap_within(const Tool& tool, const PlaneSearch& found, Vec3 y, PlaneSolve& s, bool& rolls) const noexcept;
   void build_anew(PlaneSolve& s) noexcept;
-  void build_further(const PlaneSearch& found, double off, int pass, PlaneSolve& s) noexcept;
+  void build_further(const Tool& tool, const PlaneSearch& found, double off, int pass, PlaneSolve& s) noexcept;
   void constrain_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
   bool deep_in_edge(Vec3 at) const noexcept;
   bool make_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
   void go_to(const PlaneSearch& found, const Polished& polished, double whole, PlaneSolve& s) const noexcept;
-  bool settled(const Tool& tool, const PlaneSearch& found, const Polished& polished, double whole, PlaneSolve& s) const noexcept;
+  bool settled(const Tool& tool, const PlaneSearch& found, const Polished& polished, PlaneSolve& s) const noexcept;
   Contact solve_by_planes(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, Vec3 predicted, double step, double most_mm) noexcept;
   bool shank_free(const Volume& volume, const Tool& tool, Vec3 pose, double within_mm) noexcept;
   bool solve_in_sweep(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, double moved_mm, Contact& out) noexcept;

@@ -14,6 +14,7 @@ constexpr double kFurther = 1.5;            // of the pass's move: constraints a
 constexpr double kAsked = 0.3;              // of the last pass's move: how far the next may go
 constexpr double kAskedMm = 0.002;          // mm: and this much more
 constexpr double kNearStep = 0.5;            // of a step: as far as constraints may be built beyond those that are complete
+constexpr double kLongerStep = 4.0;         // of a head's step, after a search that it has left by leaps
 constexpr double kAgainMm = 0.03;           // mm: constraints of a later pass are built for this distance, for those that follow
 constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less in another pass has converged
 constexpr double kRollsMm = 1e-7;           // mm: the same while it rolls over an edge
@@ -43,6 +44,13 @@ struct SurfaceContact::PlaneSolve {
   bool left = false;        // the step ends before the search does
   bool rolling = false;
   double next_step = 0.0;
+  /// A head's last pass: its active planes' candidates, where it led, and how far that was from where they were laid.
+  struct Creep {
+    int planes = 0;
+    std::int32_t candidate[2] = {0, 0};
+    Vec3 to{0.0}, by{0.0};
+  };
+  Creep creep;
 };
 
 /// Constraints are next built at the present pose.
@@ -67,6 +75,36 @@ void SurfaceContact::begin_search(const Volume& volume, const Tool& tool, PlaneS
   if (s.uses_prediction) s.at += predicted_mm > s.step ? s.predicted * (s.step / predicted_mm) : s.predicted;
   s.left = s.rolling = false;
   s.next_step = kLongestStep;
+  s.creep.planes = 0;
+}
+
+/// What the passes to come would add to y, by the last two under the same planes (Anderson 1965, one step back). rolls: their
+/// moves grow. A head's planes have no curvature at hand. While it cuts, none: it has yet to see the walls that it leaves.
+Vec3 SurfaceContact::leap_of_head(const PlaneSearch& found, Vec3 y, PlaneSolve& s, bool& rolls) const noexcept {
+  const PlaneSolve::Creep before = s.creep;
+  s.creep.planes = cut_.resolves() && found.active <= 2 ? found.active : 0;
+  s.creep.to = y;
+  s.creep.by = y - s.at;
+  bool same = s.creep.planes > 0 && s.creep.planes == before.planes;
+  for (int a = 0; a < s.creep.planes; ++a) {
+    s.creep.candidate[a] = origins_[static_cast<std::size_t>(found.index[a])].candidate;
+    same = same && s.creep.candidate[a] == before.candidate[a];
+  }
+  const Vec3 by = s.creep.by, change = by - before.by;
+  const double size = length_of(by), square = glm::dot(change, change);
+  if (!same || square < kRollsMm * kRollsMm || size > kFarthestLeapMm || glm::dot(by, before.by) <= 0.0) return Vec3(0.0);
+  const double most = std::min(kLongestLeap * size, kFarthestLeapMm), share = -glm::dot(by, change) / square;
+  rolls = share <= 0.0;
+  const Vec3 leap = rolls ? by * kLongestLeap : (y - before.to) * share;
+  const double length = length_of(leap);
+  return length > most ? leap * (most / length) : leap;
+}
+
+/// The leap from y, no further than the step: constraints built beyond it would only lead back.
+Vec3 SurfaceContact::leap_within(const Tool& tool, const PlaneSearch& found, Vec3 y, PlaneSolve& s, bool& rolls) const noexcept {
+  const Vec3 leap = tool.ball() ? leap_of_ball(found, s.at, y - s.at, rolls) : leap_of_head(found, y, s, rolls);
+  const double leaps = length_of(leap), room = std::max(0.0, s.step - length_of(found.y - s.centre));
+  return leaps > room ? leap * (room / leaps) : leap;
 }
 
 /// planes_ for a pass.
@@ -97,11 +135,12 @@ void SurfaceContact::constrain_pass(const Volume& volume, const Tool& tool, Plan
 
 /// Constraints are next built for more: where the pose goes, unless that is far; else from where they are, in the end for the
 /// whole step. off: how far the pose that was found is from there, mm.
-void SurfaceContact::build_further(const PlaneSearch& found, double off, int pass, PlaneSolve& s) noexcept {
+void SurfaceContact::build_further(const Tool& tool, const PlaneSearch& found, double off, int pass, PlaneSolve& s) noexcept {
   const double further = std::min(2.0 * s.step, kFurther * off + kPredictedMm);
   s.last_moved = 1.0;
   if (pass > 0 && !s.uses_prediction && off < kNearStep * s.step) {
-    s.at = found.y;
+    bool rolls = false;
+    s.at = tool.ball() ? found.y : found.y + leap_within(tool, found, found.y, s, rolls);
     s.asked = kAsked * off + kAskedMm;
     s.limit = std::max(s.limit, s.asked);
   } else if (s.within < s.limit) {
@@ -147,7 +186,7 @@ bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolv
   const double off = length_of(found.y - s.at);
   if (off > s.within && s.within < 2.0 * s.step) {
     // Further than the constraints are complete for.
-    build_further(found, off, pass, s);
+    build_further(tool, found, off, pass, s);
     return true;
   }
   const double whole = length_of(found.y - s.centre);
@@ -165,7 +204,7 @@ bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolv
   active_set_.fresh = !polished.accepted && !s.left;
   active_set_.room_mm = s.within - off;
   note(found, polished, s.out);
-  return !s.left && !settled(tool, found, polished, whole, s);
+  return !s.left && !settled(tool, found, polished, s);
 }
 
 /// Moves the pose to what was found, at most by the step. whole: how far that is from where the search began, mm.
@@ -173,7 +212,8 @@ void SurfaceContact::go_to(const PlaneSearch& found, const Polished& polished, d
   s.y = found.y;
   s.moved = true;
   if (s.left) {
-    s.next_step = std::min(kLongestStep, 1.2 * (whole - s.step) + 0.01);
+    const double longer = s.creep.planes > 0 ? kLongerStep * s.step : 0.0;
+    s.next_step = std::min(kLongestStep, std::max(longer, 1.2 * (whole - s.step) + 0.01));
     s.predicted = (found.y - s.centre) * (1.0 - s.step / whole);  // where the next one goes on
     s.y -= s.predicted;
   }
@@ -181,18 +221,14 @@ void SurfaceContact::go_to(const PlaneSearch& found, const Polished& polished, d
 }
 
 /// True if the pose has converged. Else sets where the next pass builds its constraints.
-bool SurfaceContact::settled(const Tool& tool, const PlaneSearch& found, const Polished& polished, double whole,
-                             PlaneSolve& s) const noexcept {
+bool SurfaceContact::settled(const Tool& tool, const PlaneSearch& found, const Polished& polished, PlaneSolve& s) const noexcept {
   s.uses_prediction = false;
   const Vec3 off_by = s.y - s.at;
   const double moved = length_of(off_by);
   // If it creeps, as over an edge that it rolls on, the next constraints are built where the creeping leads. The answer
   // still comes from the constraints.
   bool rolls = false;
-  Vec3 leap = polished.accepted ? Vec3(0.0) : leap_of(tool, found, s.at, off_by, rolls);
-  // No further than the step: constraints built beyond it would only lead back.
-  const double leaps = length_of(leap), room = s.step - whole;
-  if (leaps > room) leap *= room / leaps;
+  const Vec3 leap = polished.accepted ? Vec3(0.0) : leap_within(tool, found, s.y, s, rolls);
   // Passes shrink the error like moved / before; a tangent built `moved` away is off by moved^2 / 2r.
   s.arrived = (polished.accepted && moved < 0.06) || moved < (rolls ? kRollsMm : kArrivedMm) ||
               (!rolls && moved * moved < kArrivedMm * s.before);

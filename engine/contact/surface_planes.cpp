@@ -9,11 +9,10 @@ namespace cusp::engine {
 
 namespace {
 
-constexpr double kLongestLeap = 10.0;       // of the last pass's move
 constexpr double kFacing = 0.9;               // cos 26 deg: a head's side that turns further from a surface does not lie on it
 constexpr int kEdgePasses = 14;               // halvings of an edge's piece of 1.4 voxels: to some 5 nm
 constexpr double kLeastShare = 0.5;           // cos 60 deg: sides that turn further apart are opposite flanks, deep in the head
-constexpr double kFarthestLeapMm = 0.3, kCloseLeapMm = 0.02;
+constexpr double kCloseLeapMm = 0.02;
 
 /// Of a head at y to an edge's piece about `middle`: a plane's way to it, along -gradient. Where the edge cuts into a rim, the
 /// distance has a kink, and the gradient is the share of both sides that does not run along the edge.
@@ -296,11 +295,11 @@ void SurfaceContact::turn(const Tool& tool, Vec3 y, std::size_t i) noexcept {
   relax_by_past(i, i + 1);
 }
 
-/// Where a bur rolls over edges and points its planes turn with it, and each pass leaves a share of the way: what the
+/// Where a ball rolls over edges and points its planes turn with it, and each pass leaves a share of the way: what the
 /// passes to come would add to off_by, the move of the last one from where its planes were laid. rolls: they would not come
 /// to rest.
-Vec3 SurfaceContact::leap_of(const Tool& tool, const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept {
-  if (found.active == 0 || found.active > 2 || !tool.ball()) return Vec3(0.0);
+Vec3 SurfaceContact::leap_of_ball(const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept {
+  if (found.active == 0 || found.active > 2) return Vec3(0.0);
   // Along what is left free: one direction between two planes, two on one.
   Vec3 free[2] = {Vec3(0.0), Vec3(0.0)};
   const Vec3 n = planes_.n(static_cast<std::size_t>(found.index[0]));

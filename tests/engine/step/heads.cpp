@@ -201,5 +201,28 @@ TEST(TurnedBur, a_fissure_bur_that_turns_into_a_wall_is_pushed_off_it) {
   EXPECT_NEAR(deepest.x, 0.8, 1e-4);
 }
 
+TEST(HeadOnAnEdge, rolls_over_it_in_few_passes_and_rests_opposite_its_device) {
+  // A dome whose centre is led past a ridge of 90 degrees, 0.03 mm above it: nearly any place about the ridge is as near.
+  constexpr double kRadius = 0.5, kAbove = 0.03;
+  const double half = std::sqrt(0.5);
+  auto scene = scene_of(from_distance(3.0, kPaperVoxelMm, [&](Vec3 p) { return half * (p.z + std::fabs(p.y)); }), Method::surface, kRadius);
+  scene->burs[0].head = round_end_head(kRadius, kRadius, 3.0).value();
+  scene->burs[0].neck_length_mm = 4.0;
+  StepState state(scene);
+  approach(state, {0.02, -0.03, 1.0}, {0.02, -0.03, kAbove});
+  std::int64_t most = 0;
+  double off = 0.0;
+  for (int k = -30; k <= 30; ++k) {
+    const Vec3 device(0.02, 0.001 * k, kAbove);
+    const std::int64_t before = state.inner().surface->candidates_visited();
+    const StepOutput out = step(state, input_at(device));
+    most = std::max(most, state.inner().surface->candidates_visited() - before);
+    const Vec3 up = Vec3(0.0, device.y, device.z) / std::hypot(device.y, device.z);
+    off = std::max(off, length(out.proxy_mm - (Vec3(0.02, 0.0, 0.0) + up * kRadius)));
+  }
+  EXPECT_LT(1000.0 * off, 2.0);  // um; measured 1.2, and 15 without leap_of_head()
+  EXPECT_LT(most, 1000);         // measured 696, and 2481 without
+}
+
 }  // namespace
 }  // namespace cusp::test
