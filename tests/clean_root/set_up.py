@@ -16,7 +16,7 @@ STAND_INS = {
     "dpkg-query": 'grep -qx "${@: -1}" "$STATE/installed" && printf "%s" "${HELD:-ii }"',
     "apt-cache": 'grep -qx "${@: -1}" "$STATE/offered" && echo "  Candidate: 1.0" || echo "  Candidate: (none)"',
     "sudo": 'echo "sudo $*" >>"$STATE/log"',
-    "cmake": "exit 0",
+    "cmake": 'echo "cmake $*"; echo "cmake $*" >>"$STATE/log"',
 }
 
 
@@ -86,7 +86,7 @@ with tempfile.TemporaryDirectory(prefix="cusp-set-up-") as state:
     os.makedirs(os.path.join(state, "elsewhere", "a tree"))
     done = subprocess.run(["a tree/run", "validate"], cwd=state, capture_output=True, text=True,
                           env=dict(PATH=tools_in(state, True), STATE=state, CDPATH=os.path.join(state, "elsewhere")))
-    check(done.returncode == 0 and f"in {state}: validate" in done.stdout, f"with CDPATH: {done.stdout}{done.stderr}")
+    check(done.returncode == 0 and done.stdout == f"in {state}: validate\n", f"with CDPATH, and nothing but the program's own: {done.stdout}{done.stderr}")
 
     with open(os.path.join(tree, "build/.lock"), "w", encoding="utf-8") as held:
         fcntl.flock(held, fcntl.LOCK_EX)
