@@ -15,7 +15,13 @@ STAND_INS = {
     "dirname": 'exec /usr/bin/dirname "$@"',
     "dpkg-query": 'grep -qx "${@: -1}" "$STATE/installed" && printf "%s" "${HELD:-ii }"',
     "apt-cache": 'grep -qx "${@: -1}" "$STATE/offered" && echo "  Candidate: 1.0" || echo "  Candidate: (none)"',
-    "sudo": 'echo "sudo $*" >>"$STATE/log"',
+    "sudo": """echo "sudo $*" >>"$STATE/log"
+if [[ "$*" == *"apt-get update"* && -s "$STATE/busy" ]]; then
+  : >"$STATE/busy"
+  echo "E: Could not get lock /var/lib/apt/lists/lock. It is held by process 7 (apt-get)" >&2
+  exit 100
+fi""",
+    "sleep": 'echo "sleep $*" >>"$STATE/log"',
     "cmake": 'echo "cmake $*"; echo "cmake $*" >>"$STATE/log"',
 }
 
@@ -54,6 +60,14 @@ def check(holds, what):
         raise SystemExit(f"FAILED: {what}")
 
 
+def package_lists(state, tree):
+    """Lists that another program updates are waited for."""
+    os.remove(os.path.join(tree, "build/.packages"))
+    write(os.path.join(state, "busy"), "yes")
+    status, said, log = run(state, "--set-up", sudo=True)
+    check(status == 0 and log.count("apt-get update") == 2 and "sleep" in log and "apt-get install" in log, f"beside another update: {said}{log}")
+
+
 with tempfile.TemporaryDirectory(prefix="cusp-set-up-") as state:
     tree = os.path.join(state, "a tree")
     os.makedirs(os.path.join(tree, "build/release"))
@@ -74,6 +88,7 @@ with tempfile.TemporaryDirectory(prefix="cusp-set-up-") as state:
     check(status == 1 and "older-name" in said and "here" not in said.replace("here-too", ""), f"what is missing is named alone: {said}")
     status, said, log = run(state, "--set-up", sudo=True, http_proxy="http://proxy:3128")
     check(status == 0 and "--preserve-env=http_proxy" in log and log.strip().endswith("older-name"), f"older-name is installed: {log}")
+    package_lists(state, tree)
     status, said, log = run(state, "validate", "mine.cusp", sudo=True)
     check(status == 0 and f"in {state}: validate mine.cusp" in said, f"a path is one of where ./run was called: {said}")
     for environment, window in ((dict(DISPLAY=":7"), True), (dict(WAYLAND_DISPLAY="wayland-0"), True), (dict(QT_QPA_PLATFORM="vnc:port=5901"), True),
