@@ -20,7 +20,13 @@ if [[ "$*" == *"apt-get update"* && -s "$STATE/busy" ]]; then
   : >"$STATE/busy"
   echo "E: Could not get lock /var/lib/apt/lists/lock. It is held by process 7 (apt-get)" >&2
   exit 100
+fi
+if [[ "$*" == *"apt-get install"* && -s "$STATE/lacking" ]]; then
+  : >"$STATE/lacking"
+  echo "E: Unable to locate package older-name" >&2
+  exit 100
 fi""",
+    "apt-get": 'echo "apt-get $*" >>"$STATE/log"',
     "sleep": 'echo "sleep $*" >>"$STATE/log"',
     "cmake": 'echo "cmake $*"; echo "cmake $*" >>"$STATE/log"',
 }
@@ -61,11 +67,17 @@ def check(holds, what):
 
 
 def package_lists(state, tree):
-    """Lists that another program updates are waited for."""
+    """Lists that another program updates are waited for. Where apt does not know a package, the releases are named that have it."""
     os.remove(os.path.join(tree, "build/.packages"))
     write(os.path.join(state, "busy"), "yes")
     status, said, log = run(state, "--set-up", sudo=True)
     check(status == 0 and log.count("apt-get update") == 2 and "sleep" in log and "apt-get install" in log, f"beside another update: {said}{log}")
+    os.remove(os.path.join(tree, "build/.packages"))
+    write(os.path.join(state, "lacking"), "yes")
+    status, said, log = run(state, "--set-up", sudo=True)
+    check(status == 1 and "locate package older-name" in said and "Ubuntu 24.04" in said, f"a release without a package: {said}{log}")
+    status, said, log = run(state, "--set-up", sudo=True)
+    check(status == 0 and log.strip().endswith("older-name"), f"after an installation that failed: {said}{log}")
 
 
 with tempfile.TemporaryDirectory(prefix="cusp-set-up-") as state:
