@@ -11,7 +11,7 @@ import tempfile
 
 SOURCE = os.path.abspath(__file__ + "/../../..")
 STAND_INS = {
-    "id": "echo 1000",
+    "id": 'echo "${WHO:-1000}"',
     "dirname": 'exec /usr/bin/dirname "$@"',
     "dpkg-query": 'grep -qx "${@: -1}" "$STATE/installed" && printf "%s" "${HELD:-ii }"',
     "apt-cache": 'grep -qx "${@: -1}" "$STATE/offered" && echo "  Candidate: 1.0" || echo "  Candidate: (none)"',
@@ -27,6 +27,7 @@ if [[ "$*" == *"apt-get install"* && -s "$STATE/lacking" ]]; then
   exit 100
 fi""",
     "apt-get": 'echo "apt-get $*" >>"$STATE/log"',
+    "chown": 'echo "chown $*" >>"$STATE/log"',
     "sleep": 'echo "sleep $*" >>"$STATE/log"',
     "cmake": 'echo "cmake $*"; echo "cmake $*" >>"$STATE/log"',
 }
@@ -80,6 +81,13 @@ def package_lists(state, tree):
     check(status == 0 and log.strip().endswith("older-name"), f"after an installation that failed: {said}{log}")
 
 
+def as_root(state, tree):
+    """Without sudo. The folder build belongs to whoever owns the tree."""
+    os.remove(os.path.join(tree, "build/.packages"))
+    status, said, log = run(state, "--set-up", sudo=False, WHO="0")
+    check(status == 0 and "older-name" in log and "chown --reference=. build build/.packages" in log, f"as root: {said}{log}")
+
+
 with tempfile.TemporaryDirectory(prefix="cusp-set-up-") as state:
     tree = os.path.join(state, "a tree")
     os.makedirs(os.path.join(tree, "build/release"))
@@ -101,6 +109,7 @@ with tempfile.TemporaryDirectory(prefix="cusp-set-up-") as state:
     status, said, log = run(state, "--set-up", sudo=True, http_proxy="http://proxy:3128")
     check(status == 0 and "--preserve-env=http_proxy" in log and log.strip().endswith("older-name"), f"older-name is installed: {log}")
     package_lists(state, tree)
+    as_root(state, tree)
     status, said, log = run(state, "validate", "mine.cusp", sudo=True)
     check(status == 0 and f"in {state}: validate mine.cusp" in said, f"a path is one of where ./run was called: {said}")
     for environment, window in ((dict(DISPLAY=":7"), True), (dict(WAYLAND_DISPLAY="wayland-0"), True), (dict(QT_QPA_PLATFORM="vnc:port=5901"), True),
