@@ -27,6 +27,7 @@ if [[ "$*" == *"apt-get install"* && -s "$STATE/lacking" ]]; then
   exit 100
 fi""",
     "apt-get": 'echo "apt-get $*" >>"$STATE/log"',
+    "dpkg": 'echo "dpkg $*" >>"$STATE/log"; exit 2',
     "chown": 'echo "chown $*" >>"$STATE/log"',
     "sleep": 'echo "sleep $*" >>"$STATE/log"',
     "cmake": 'echo "cmake $*"; echo "cmake $*" >>"$STATE/log"',
@@ -85,7 +86,7 @@ def as_root(state, tree):
     """Without sudo. The folder build belongs to whoever owns the tree."""
     os.remove(os.path.join(tree, "build/.packages"))
     status, said, log = run(state, "--set-up", sudo=False, WHO="0")
-    check(status == 0 and "older-name" in log and "chown --reference=. build build/.packages" in log, f"as root: {said}{log}")
+    check(status == 0 and log.index("dpkg --configure -a") < log.index("apt-get install") and "older-name" in log and "chown --reference=. build build/.packages" in log, f"as root: {said}{log}")
 
 
 with tempfile.TemporaryDirectory(prefix="cusp-set-up-") as state:
