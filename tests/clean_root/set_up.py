@@ -46,7 +46,7 @@ def tools_in(folder, sudo):
     for name, what in STAND_INS.items():
         write(os.path.join(tools, name), f"#!/bin/bash\n{what}\n")
         os.chmod(os.path.join(tools, name), 0o755)
-    for name in ("bash", "env", "flock", "grep", "cat", "mkdir", "touch"):
+    for name in ("bash", "env", "flock", "grep", "cat", "mkdir", "sed", "touch"):
         if not os.path.exists(os.path.join(tools, name)):
             os.symlink(shutil.which(name), os.path.join(tools, name))
     if not sudo:
@@ -89,6 +89,20 @@ def as_root(state, tree):
     check(status == 0 and log.index("dpkg --configure -a") < log.index("apt-get install") and "older-name" in log and "chown --reference=. build build/.packages" in log, f"as root: {said}{log}")
 
 
+def configuring(state, tree):
+    """A folder begins anew where another compiler or another place has configured it."""
+    cache = os.path.join(tree, "build/release/CMakeCache.txt")
+    here = f"CMAKE_CXX_COMPILER:STRING=/usr/bin/clang++-19\nCMAKE_HOME_DIRECTORY:INTERNAL={tree}\n"
+    for text, fresh in ((None, True), (here, False), (here.replace("clang++-19", "g++"), True), (here.replace(tree, state), True)):
+        if text:
+            write(cache, text)
+        status, said, log = run(state, "validate", sudo=True)
+        check(status == 0 and ("cmake --fresh --preset release" in log) == fresh, f"configured before as {text}: {said}{log}")
+        check("cmake --build --preset release --target cusp --" in log, f"what is built: {log}")
+    status, said, log = run(state, "--build", "asan", sudo=True)
+    check(status == 0 and log.splitlines()[-1] == "cmake --build --preset asan -- --quiet", f"a preset of ./check: {said}{log}")
+
+
 with tempfile.TemporaryDirectory(prefix="cusp-set-up-") as state:
     tree = os.path.join(state, "a tree")
     os.makedirs(os.path.join(tree, "build/release"))
@@ -110,6 +124,7 @@ with tempfile.TemporaryDirectory(prefix="cusp-set-up-") as state:
     status, said, log = run(state, "--set-up", sudo=True, http_proxy="http://proxy:3128")
     check(status == 0 and "--preserve-env=http_proxy" in log and log.strip().endswith("older-name"), f"older-name is installed: {log}")
     package_lists(state, tree)
+    configuring(state, tree)
     as_root(state, tree)
     status, said, log = run(state, "validate", "mine.cusp", sudo=True)
     check(status == 0 and f"in {state}: validate mine.cusp" in said, f"a path is one of where ./run was called: {said}")

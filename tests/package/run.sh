@@ -23,10 +23,7 @@ build_root() {
 
 build_package() {
   inside /root/cusp/run --set-up
-  inside bash -euc 'cd /root/cusp
-    export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
-    cmake --preset release >build/configure.log
-    cmake --build --preset release --target cusp_package -- --quiet'
+  inside /root/cusp/run --build release --target cusp_package
   cp "$root"/root/cusp/build/release/cusp_*.deb "$work/$release/"
   package="$(ls -t "$work/$release"/cusp_*.deb | head -1)"
 }
