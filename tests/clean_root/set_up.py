@@ -30,7 +30,7 @@ fi""",
     "dpkg": 'echo "dpkg $*" >>"$STATE/log"; exit 2',
     "chown": 'echo "chown $*" >>"$STATE/log"',
     "sleep": 'echo "sleep $*" >>"$STATE/log"',
-    "cmake": 'echo "cmake $*"; echo "cmake $*" >>"$STATE/log"',
+    "cmake": 'if [ "$1" = --version ]; then echo "cmake version ${CMAKE:-3.25.1}"; else echo "cmake $*"; echo "cmake $*" >>"$STATE/log"; fi',
 }
 
 
@@ -90,7 +90,7 @@ def as_root(state, tree):
 
 
 def configuring(state, tree):
-    """A folder begins anew where another compiler or another place has configured it."""
+    """A folder begins anew where another compiler or another place has configured it. An old cmake is called by its name."""
     cache = os.path.join(tree, "build/release/CMakeCache.txt")
     here = f"CMAKE_CXX_COMPILER:STRING=/usr/bin/clang++-19\nCMAKE_HOME_DIRECTORY:INTERNAL={tree}\n"
     for text, fresh in ((None, True), (here, False), (here.replace("clang++-19", "g++"), True), (here.replace(tree, state), True)):
@@ -101,6 +101,9 @@ def configuring(state, tree):
         check("cmake --build --preset release --target cusp --" in log, f"what is built: {log}")
     status, said, log = run(state, "--build", "asan", sudo=True)
     check(status == 0 and log.splitlines()[-1] == "cmake --build --preset asan -- --quiet", f"a preset of ./check: {said}{log}")
+    for version, fits in (("3.22.1", False), ("3.25.1", True), ("4.0.2", True)):
+        status, said, log = run(state, "validate", sudo=True, CMAKE=version)
+        check((status == 0) == fits == ("older than CMake 3.25" not in said), f"cmake {version}: {said}{log}")
 
 
 with tempfile.TemporaryDirectory(prefix="cusp-set-up-") as state:
