@@ -30,7 +30,7 @@ fi""",
     "dpkg": 'echo "dpkg $*" >>"$STATE/log"; exit 2',
     "chown": 'echo "chown $*" >>"$STATE/log"',
     "sleep": 'echo "sleep $*" >>"$STATE/log"',
-    "cmake": 'if [ "$1" = --version ]; then echo "cmake version ${CMAKE:-3.25.1}"; else echo "cmake $*"; echo "cmake $*" >>"$STATE/log"; fi',
+    "cmake": 'if [ "$1" = --version ]; then echo "cmake version ${CMAKE:-3.25.1}"; else echo "cmake $*"; echo "cmake $*" >>"$STATE/log"; echo "${CCACHE_DIR:-}" >"$STATE/ccache"; fi',
 }
 
 
@@ -106,6 +106,14 @@ def configuring(state, tree):
         check((status == 0) == fits == ("older than CMake 3.25" not in said), f"cmake {version}: {said}{log}")
 
 
+def without_a_home(state, tree):
+    """ccache finds a folder where the home folder cannot be written."""
+    for home, folder in ((state, ""), (os.path.join(state, "none"), os.path.join(tree, "build/ccache"))):
+        run(state, "--build", "release", sudo=True, HOME=home)
+        with open(os.path.join(state, "ccache"), encoding="utf-8") as f:
+            check(f.read() == folder + "\n", f"the folder of ccache, with {home} as home")
+
+
 with tempfile.TemporaryDirectory(prefix="cusp-set-up-") as state:
     tree = os.path.join(state, "a tree")
     os.makedirs(os.path.join(tree, "build/release"))
@@ -128,6 +136,7 @@ with tempfile.TemporaryDirectory(prefix="cusp-set-up-") as state:
     check(status == 0 and "--preserve-env=http_proxy" in log and log.strip().endswith("older-name"), f"older-name is installed: {log}")
     package_lists(state, tree)
     configuring(state, tree)
+    without_a_home(state, tree)
     as_root(state, tree)
     status, said, log = run(state, "validate", "mine.cusp", sudo=True)
     check(status == 0 and f"in {state}: validate mine.cusp" in said, f"a path is one of where ./run was called: {said}")
