@@ -24,14 +24,20 @@ ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 TIMEOUT_S = 7200  # of a build with sanitizers on a busy machine
 
 
+def files_of_tree():
+    """Names from the root, in a clone or an unpacked archive, without what git and the builds keep."""
+    for at, folders, files in os.walk(ROOT):
+        skipped = (".git", "build", "__pycache__") if at == ROOT else ("__pycache__",)
+        folders[:] = [name for name in folders if name not in skipped]
+        yield from (os.path.relpath(os.path.join(at, name), ROOT) for name in files if name not in skipped)
+
+
 class Copy:
-    """The tree's tracked and new files, brought up to date; unchanged files keep their times."""
+    """The tree's files, brought up to date; unchanged files keep their times."""
 
     def __init__(self, folder):
         self.folder = os.path.abspath(folder)
-        listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
-                                check=True, capture_output=True).stdout.decode()
-        names = {n for n in listed.split("\0") if n and os.path.isfile(os.path.join(ROOT, n))}
+        names = {name for name in files_of_tree() if os.path.isfile(os.path.join(ROOT, name))}
         for name in names:
             here, there = os.path.join(ROOT, name), self.path(name)
             if os.path.exists(there) and filecmp.cmp(here, there, shallow=False):
@@ -46,7 +52,7 @@ class Copy:
                     os.remove(os.path.join(at, file))
         os.makedirs(self.path("build"), exist_ok=True)
         self.environment = dict(os.environ, CCACHE_BASEDIR=self.folder, CCACHE_NOHASHDIR="1",
-                                CCACHE_SLOPPINESS="pch_defines,time_macros",
+                                CCACHE_SLOPPINESS="pch_defines,time_macros", CCACHE_PCH_EXTSUM="1",
                                 UBSAN_OPTIONS="print_stacktrace=1:halt_on_error=1", TSAN_OPTIONS="halt_on_error=1")
 
     def path(self, name):
