@@ -187,4 +187,5 @@ def main():
     sys.exit(0 if good and faults and not missed else 1)
 
 
-main()
+if __name__ == "__main__":
+    main()
