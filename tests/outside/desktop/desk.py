@@ -195,7 +195,9 @@ class Program:
         """`language` of the screen, as the settings have it; `pixels` for one of Qt's, as QT_SCALE_FACTOR has it."""
         self.binary, self.screen, self.folder, self.database = binary, screen, folder, database
         self.words, self.pixels = words.of(language), pixels
-        env = dict(os.environ, QT_QPA_PLATFORM="xcb", QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", QT_ACCESSIBILITY="1",
+        # Whoever runs the test may have set a scale or a style for programs of their own.
+        env = {name: value for name, value in os.environ.items() if not name.startswith(("CUSP_", "QT_"))}
+        env.update(QT_QPA_PLATFORM="xcb", QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", QT_ACCESSIBILITY="1",
                    LIBGL_ALWAYS_SOFTWARE="1", LC_ALL="C.UTF-8", LANGUAGE="en", HOME=folder)
         for name in ("CONFIG", "DATA", "CACHE"):
             env[f"XDG_{name}_HOME"] = os.path.join(folder, name.lower())
