@@ -10,6 +10,7 @@ import time
 
 from PIL import ImageGrab
 
+import assessment
 import cohort
 import desk
 import school
@@ -114,7 +115,7 @@ def main():
         hand_in(program)
         program.press("Next candidate")
         second_s = begin(program, *OTHER[1:], school.nothing)
-        time.sleep(2)
+        assessment.drill(program, assessment.SECOND_S)
         program.kill()
         program = own.start()
         school.after_crash(program, "Start as usual")
