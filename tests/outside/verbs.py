@@ -4,7 +4,6 @@
 """
 import json
 import os
-import shutil
 import subprocess
 import sys
 import time
@@ -130,12 +129,13 @@ with Desk(sys.argv[1]) as desk:
     # Where numbers have a comma, those of an English text and of --progress keep their point.
     comma = desk.path("locales", "de_DE.UTF-8")
     os.makedirs(desk.path("locales"))
-    if shutil.which("localedef") and subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", comma], capture_output=True).returncode == 0:
-        with_comma = {"LOCPATH": desk.path("locales"), "LC_ALL": "de_DE.UTF-8"}
-        check(desk.run("template", "fit", "class-1-adhesive", "--tooth", "45", "--set", "depth=1.75", "--out", desk.path("comma"), **with_comma)[0] == 0, "a fit")
-        with open(desk.path("comma", "scenario.json"), encoding="utf-8") as f:
-            briefing = json.load(f)["briefing"]
-        check("1.75 mm" in briefing["en"] and "1,75 mm" in briefing["de"], f"figures in a briefing: {briefing}")
-        err = desk.run("play", desk.small_exercise(), "--script", desk.small_script(1), "--progress", "--out", desk.path("comma"), **with_comma)[2]
-        check(err == "1.000\n", f"--progress: {err}")
+    made = subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", comma], capture_output=True, text=True)
+    check(os.path.isdir(comma), f"no German locale to try: {made.stderr}")
+    with_comma = {"LOCPATH": desk.path("locales"), "LC_ALL": "de_DE.UTF-8"}
+    check(desk.run("template", "fit", "class-1-adhesive", "--tooth", "45", "--set", "depth=1.75", "--out", desk.path("comma"), **with_comma)[0] == 0, "a fit")
+    with open(desk.path("comma", "scenario.json"), encoding="utf-8") as f:
+        briefing = json.load(f)["briefing"]
+    check("1.75 mm" in briefing["en"] and "1,75 mm" in briefing["de"], f"figures in a briefing: {briefing}")
+    err = desk.run("play", desk.small_exercise(), "--script", desk.small_script(1), "--progress", "--out", desk.path("comma"), **with_comma)[2]
+    check(err == "1.000\n", f"--progress: {err}")
     check(desk.run("validate", "class-1-36", "--form-only")[0] == 0, "a built-in scenario is valid")
