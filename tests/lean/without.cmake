@@ -15,7 +15,7 @@ endfunction()
 
 without(engine/step/step.cpp step_without.cpp
   "if (scene->phenomena.any())" "if (false)"
-  "if (s.phenomena) add_to" "if (false) add_to"
+  "if (state.phenomena) state.phenomena->spindle" "if (false) state.phenomena->spindle"
   "if (state.phenomena) rest" "if (false) rest"
   "if (!state.phenomena) {" "if (true) {")
 without(engine/step/step_surface.cpp step_surface_without.cpp "scene.friction &&" "false &&")
