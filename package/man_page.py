@@ -14,7 +14,7 @@ BEHIND = {"history": ["DB"]}
 
 def help_of(cusp, *words):
     env = dict(os.environ, LC_ALL="C.UTF-8")
-    return subprocess.run([cusp, *words, "--help"], capture_output=True, text=True, check=True, env=env).stdout
+    return subprocess.run([cusp, *words, "--help"], capture_output=True, encoding="utf-8", check=True, env=env).stdout
 
 
 class Help:
