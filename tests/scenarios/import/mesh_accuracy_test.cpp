@@ -17,8 +17,8 @@ namespace cusp::test {
 namespace {
 
 
-/// With CUSP_ZERO_TOLERANCES set every bound is zero, so that the failures list the residuals.
-double bound(double value) { return std::getenv("CUSP_ZERO_TOLERANCES") ? 0.0 : value; }
+/// With CUSP_TOLERANCE_ZERO set every bound is zero, so that the failures list the residuals.
+double bound(double value) { return std::getenv("CUSP_TOLERANCE_ZERO") ? 0.0 : value; }
 
 VoxelVolume converted(const Mesh& mesh, double voxel_mm) {
   const TempFolder folder;
