@@ -21,6 +21,16 @@ if [[ "$*" == *"apt-get update"* && -s "$STATE/busy" ]]; then
   echo "E: Could not get lock /var/lib/apt/lists/lock. It is held by process 7 (apt-get)" >&2
   exit 100
 fi
+if [[ "$*" == *"apt-get update"* && -s "$STATE/unsigned" ]]; then
+  : >"$STATE/unsigned"
+  echo "E: The repository 'https://archive.example' is not signed." >&2
+  exit 100
+fi
+if [[ "$*" == *" true" && -s "$STATE/refused" ]]; then
+  : >"$STATE/refused"
+  echo "mira is not in the sudoers file." >&2
+  exit 1
+fi
 if [[ "$*" == *"apt-get install"* && -s "$STATE/lacking" ]]; then
   : >"$STATE/lacking"
   echo "E: Unable to locate package older-name" >&2
@@ -78,8 +88,15 @@ def package_lists(state, tree):
     write(os.path.join(state, "lacking"), "yes")
     status, said, log = run(state, "--set-up", sudo=True)
     check(status == 1 and "locate package older-name" in said and "Ubuntu 24.04" in said, f"a release without a package: {said}{log}")
+    write(os.path.join(state, "unsigned"), "yes")
     status, said, log = run(state, "--set-up", sudo=True)
-    check(status == 0 and log.strip().endswith("older-name"), f"after an installation that failed: {said}{log}")
+    check(status == 0 and "is not signed" in said and log.strip().endswith("older-name"),
+          f"after an installation that failed, beside an archive that cannot be read: {said}{log}")
+    os.remove(os.path.join(tree, "build/.packages"))
+    write(os.path.join(state, "refused"), "yes")
+    status, said, log = run(state, "--set-up", sudo=True)
+    check(status == 1 and "once as root" in said and "apt-get" not in log, f"somebody whom sudo refuses: {said}{log}")
+    write(os.path.join(tree, "build/.packages"), "")
 
 
 def as_root(state, tree):
