@@ -5,9 +5,10 @@
 import hashlib
 import os
 import re
-import subprocess
 import sys
 import time
+
+from PIL import ImageGrab
 
 import desk
 import plugs
@@ -60,9 +61,8 @@ def speed(program):
 def view(own, program):
     """What the view shows now of the tooth, between the card that stops an attempt and the coach."""
     x, y = program.find(None, "Tooth").middle()
-    pixels = subprocess.run(["import", "-window", "root", "-crop", f"300x150+{x - 150}+{y + 100}", "rgb:-"],
-                            capture_output=True, check=True, timeout=60).stdout
-    return hashlib.sha256(pixels).hexdigest()
+    picture = ImageGrab.grab(bbox=(x - 150, y + 100, x + 150, y + 250), xdisplay=program.screen.display)
+    return hashlib.sha256(picture.tobytes()).hexdigest()
 
 
 def still(own, program):
