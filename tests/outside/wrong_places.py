@@ -91,33 +91,39 @@ def give_away(folder, user):
 
 
 def unreadable(desk, database, backup):
-    """What may not be read is called so. Nothing is unreadable to root: it becomes another user for so long."""
+    """What may not be read is called so."""
+    new, results = desk.path("new.db"), desk.path("results")
+    parts = [(os.path.join(backup, part), ("restore", backup, new)) for part in ("backup.json", "station.db", "station.db.key", "station.db.key-counter")]
+    for path, verb in (*parts, (database, ("export", database, *AS_ADMIN)), (results, ("exchange", "in", results, "--db", database, *AS_ADMIN)),
+                       (results, ("exchange", "trust", results, "--db", database, *AS_ADMIN))):
+        os.chmod(path, 0)
+        refused(desk, *verb, names=(path, "cannot be read"))
+        os.chmod(path, 0o600)
+    locked = desk.path("locked")
+    os.mkdir(locked, 0o500)
+    refused(desk, "backup", database, locked, *AS_ADMIN, names=(locked, "cannot be written: Permission denied"))
+    refused(desk, "backup", database, os.path.join(locked, "into"), *AS_ADMIN, names=(locked, "cannot be written: Permission denied"))
+    key = database + ".key"
+    os.chmod(key, 0)
+    status, _, failure = desk.run("backup", database, desk.path("into"), *AS_ADMIN, **SECRET)
+    check(status == 1 and key in failure and not os.path.exists(desk.path("into")), f"a backup without its key: exit {status}: {failure}")
+    os.chmod(key, 0o600)
+
+
+def as_another_user(desk, database, backup):
+    """Nothing is unreadable to root: it becomes another user for so long."""
     nobody, root = 65534, os.geteuid() == 0
     status, _, failure = desk.run("exchange", "out", "--results", desk.path("results"), "--db", database, *AS_ADMIN, **SECRET)
     check(status == 0, f"exchange out: {failure}")
-    new, results = desk.path("new.db"), desk.path("results")
     if root:
         give_away(desk.folder, nobody)
         os.setresuid(nobody, nobody, 0)
     try:
         desk.run("--version")
-        parts = [(os.path.join(backup, part), ("restore", backup, new)) for part in ("backup.json", "station.db", "station.db.key", "station.db.key-counter")]
-        for path, verb in (*parts, (database, ("export", database, *AS_ADMIN)), (results, ("exchange", "in", results, "--db", database, *AS_ADMIN)),
-                           (results, ("exchange", "trust", results, "--db", database, *AS_ADMIN))):
-            os.chmod(path, 0)
-            refused(desk, *verb, names=(path, "cannot be read"))
-            os.chmod(path, 0o600)
-        locked = desk.path("locked")
-        os.mkdir(locked, 0o500)
-        refused(desk, "backup", database, locked, *AS_ADMIN, names=(locked, "cannot be written: Permission denied"))
-        refused(desk, "backup", database, os.path.join(locked, "into"), *AS_ADMIN, names=(locked, "cannot be written: Permission denied"))
-        key = database + ".key"
-        os.chmod(key, 0)
-        status, _, failure = desk.run("backup", database, desk.path("into"), *AS_ADMIN, **SECRET)
-        check(status == 1 and key in failure and not os.path.exists(desk.path("into")), f"a backup without its key: exit {status}: {failure}")
-        os.chmod(key, 0o600)
     except PermissionError:
         print("another user may not run the program: unreadable files were not tried")
+    else:
+        unreadable(desk, database, backup)
     finally:
         if root:
             os.setresuid(0, 0, 0)
@@ -134,4 +140,4 @@ with Desk(sys.argv[1]) as the_desk:
     records_of_another(the_desk, school, made.strip())
     parts_of_a_backup(the_desk, made.strip())
     empty_names(the_desk)
-    unreadable(the_desk, school, made.strip())
+    as_another_user(the_desk, school, made.strip())
