@@ -161,8 +161,9 @@ with tempfile.TemporaryDirectory(prefix="cusp-set-up-") as state:
                                 (dict(QT_QPA_PLATFORM="offscreen"), False), (dict(QT_QPA_PLATFORM="xcb"), False), (dict(), False)):
         status, said, log = run(state, sudo=True, HOME=state, **environment)
         check(status == 0 and ("No display" not in said) == window, f"{environment}: {said}")
-    status, said, log = run(state, sudo=True)
-    check(status == 0 and os.path.isdir(os.path.join(tree, "build/cusp/demonstration")), f"without a home: {said}")
+    for environment in (dict(), dict(HOME="/proc/none")):  # where nobody may make a folder
+        status, said, log = run(state, sudo=True, **environment)
+        check(status == 0 and f"lies in {tree}/build/cusp/demonstration:" in said, f"without a home, {environment}: {said}")
 
     os.makedirs(os.path.join(state, "elsewhere", "a tree"))
     done = subprocess.run(["a tree/run", "validate"], cwd=state, capture_output=True, text=True,
