@@ -40,7 +40,7 @@ FAULTS = [
     fault("contact's normal off by three degrees", "release", "step_tests", r"angle / kTicks",
           ("engine/contact/surface_gather.cpp", "  out.normal = Vec3(feature->normal);\n",
            "  out.normal = Vec3(feature->normal);\n  out.normal += 0.05 * glm::cross(out.normal, Vec3(0.36, 0.48, 0.8));\n")),
-    fault("force capped half too high", "release", "step_tests", r"Guard\.force_rises_no_faster_than_the_slew",
+    fault("force capped half too high", "release", "step_tests", r"FAILED  \] Guard\.force_rises_no_faster_than_the_slew",
           ("engine/step/guard.cpp", "    given = settings.limit_n;\n", "    given = 1.5 * settings.limit_n;\n")),
     fault("field left out of the state's list", "release", "golden_hash_tests", r"Failure",
           ("engine/step/state_fields.h", '  f("guard.stale_ms", stale_ms);\n', "")),
@@ -117,7 +117,7 @@ FAULTS = [
           ("device/scripted/csv_trace.cpp", "    if (out.count == kMostColumns) {\n      ++out.count;\n      return out;\n    }\n", "")),
 
     # Storage.
-    fault("landed migration changed", "asan", "test_storage_opening", r"Migrations\.one_that_has_landed_is_never_edited",
+    fault("landed migration changed", "asan", "test_storage_opening", r"FAILED  \] Migrations\.one_that_has_landed_is_never_edited",
           ("storage/sqlite/migrations/0001.sql", "  wrong_tries INTEGER NOT NULL DEFAULT 0,\n", "  wrong_tries INTEGER NOT NULL DEFAULT 1,\n")),
     fault("log deleted at opening", "asan", "test_storage_processes",
           r"FAILED  \] Locks\.another_program_that_opens_and_closes_leaves_the_log_of_this_one",
