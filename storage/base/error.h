@@ -44,6 +44,7 @@ enum class StorageError : std::uint8_t {
   self_test_due,  // no self-test of this class passed in the days that the assignment asks; where = the device's class, detail = days
   // Files of other stations (storage/exchange). Nothing of the file is read.
   not_exchange,  // no such file, or not as it was signed
+  cut_short,     // it ends before its last page; detail: its bytes, a blank, those of the whole
   older_schema,  // an older version of the program made it; detail: its schema
   unknown_key,   // nobody has made the key known here; where = station, detail = the key's id
   revoked_key,   // where = station, detail = the key's id

@@ -46,7 +46,7 @@ struct ReadIn {
   std::vector<SessionId> apart{};        // their chains here go on in another way than in the file: they stay as they are here
 };
 
-/// Reads a file whole, or changes nothing. Needs manage_station. Failures: not_exchange, older_schema, newer_schema,
+/// Reads a file whole, or changes nothing. Needs manage_station. Failures: not_exchange, cut_short, older_schema, newer_schema,
 /// unknown_key, revoked_key, put_back, differs; not_allowed (where = own_file, office_file: what only the office's file may bring);
 /// duplicate (where = number that somebody else has here); last_administrator; stopped.
 Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::filesystem::path& file, const WorkWatch& watch = {});
@@ -60,7 +60,7 @@ struct ExchangeLook {
   std::size_t newest_read = 0;    // number of the newest file under this key that was read in; 0: none
 };
 
-/// Changes nothing. Needs manage_station. Failures: not_exchange, older_schema, newer_schema, differs, and not_allowed
+/// Changes nothing. Needs manage_station. Failures: not_exchange, cut_short, older_schema, newer_schema, differs, and not_allowed
 /// (where = own_file, office_file), stopped.
 Stored<ExchangeLook> look_into(StorageContext& context, const Actor& actor, const std::filesystem::path& file, const WorkWatch& watch = {});
 

@@ -136,6 +136,12 @@ Stored<void> add_description(Database& file, const SignedText& text) {
   return transaction.commit();
 }
 
+Stored<Database> open_exchange(const std::filesystem::path& file) {
+  auto opened = Database::open(file, {.access = DatabaseOptions::Access::read_only, .on_network_drive = admits_network_drive, .kind = DatabaseOptions::Kind::travelling});
+  if (!opened) return std::unexpected(failure_in_file(opened.error(), file));
+  return opened;
+}
+
 Stored<CheckedExchange> read_description(Database& file) {
   const auto there = file.first("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = 'exchange_description'", [](Row row) { return row.flag(0); });
   if (!there) return std::unexpected(there.error());

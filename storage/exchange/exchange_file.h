@@ -45,6 +45,9 @@ SignedText sign_exchange(const StationKey& key, const ExchangeDescription& descr
 /// Writes the signed description into the file, as the last thing.
 Stored<void> add_description(Database& file, const SignedText& text);
 
+/// Opens a file of another station to read from. cut_short before anything is read; its schema may be older: check_schema() follows.
+Stored<Database> open_exchange(const std::filesystem::path& file);
+
 struct CheckedExchange {
   ExchangeDescription description{};
   Hash256 hash{};  // description_hash
@@ -57,7 +60,7 @@ Stored<CheckedExchange> read_description(Database& file);
 StorageFailure failure_in_file(StorageFailure failure, const std::filesystem::path& file);
 /// older_schema for a file of an older program: tables that a later migration changes differ from what was signed. not_exchange for
 /// a table, column or index that the records lack: SQL is built from these names.
-/// The file is attached to `records` for a moment: a connection of its own would migrate it in memory.
+/// The file is attached to `records` for a moment, to compare both schemas.
 Stored<void> check_schema(Database& records, const std::filesystem::path& file);
 /// Schema and every table against the signed list once more, in the transaction that reads them: the file may have been changed or
 /// replaced since. Pre: it is attached to `records`. Failures: older_schema, not_exchange, stopped.

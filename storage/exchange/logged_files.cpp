@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_given_out(StorageContext& context, const fs::path& copy) {
-  auto file = Database::open(copy, {.access = DatabaseOptions::Access::read_only, .on_network_drive = admits_network_drive});
+  auto file = open_exchange(copy);
   if (!file) return false;
   const auto checked = read_description(*file);
   if (!checked || checked->description.station != context.station) return false;

@@ -21,8 +21,8 @@ std::size_t steps_in(Database& file, ExchangeKind kind) {
 
 Stored<ExchangeLook> look_in_steps(StorageContext& context, const Actor& actor, const std::filesystem::path& file, WorkSteps& steps) {
   if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
-  auto opened = Database::open(file, {.access = DatabaseOptions::Access::read_only, .on_network_drive = admits_network_drive});
-  if (!opened) return std::unexpected(failure_in_file(opened.error(), file));
+  auto opened = open_exchange(file);
+  if (!opened) return std::unexpected(opened.error());
   const Snapshot snapshot(*opened);
   const auto checked = read_description(*opened);
   if (!checked) return std::unexpected(failure_in_file(checked.error(), file));

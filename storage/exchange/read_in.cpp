@@ -175,8 +175,8 @@ Stored<ReadIn> attach_and_merge(StorageContext& context, StorageContext& from, c
 Stored<ReadIn> read_in_steps(StorageContext& context, const Actor& actor, const std::filesystem::path& file, WorkSteps& steps) {
   if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
   if (!context.key) return std::unexpected(context.db.unwritable());
-  auto opened = Database::open(file, {.access = DatabaseOptions::Access::read_only, .on_network_drive = admits_network_drive});
-  if (!opened) return std::unexpected(failure_in_file(opened.error(), file));
+  auto opened = open_exchange(file);
+  if (!opened) return std::unexpected(opened.error());
   StorageContext from{std::move(*opened), context.clock, context.cost, context.station, std::nullopt};
   const Snapshot snapshot(from.db);
   const auto checked = read_description(from.db);

@@ -35,6 +35,11 @@ struct DatabaseOptions {
   std::span<const std::string_view> migrations = built_in_migrations();  // fewer: a file of an older schema, for tests
   std::string vfs{};                                                     // SQLite's name of one; empty = the system's
   std::function<bool(const std::filesystem::path&)> on_network_drive{};  // empty = ask the system
+  enum class Kind : std::uint8_t {
+    records,
+    travelling,  // a file between stations, of any size: cut_short if it ends early, and its schema stays the one that it has
+  };
+  Kind kind = Kind::records;
 };
 
 /// For DatabaseOptions::on_network_drive: a file that one process alone has open, as a backup or a file that travels, may lie on a
@@ -48,7 +53,7 @@ class Database {
   /// made beside the log of one that was moved away, which SQLite would remove. Only SQLite opens the file
   /// (main_file.h): connections of other threads keep their locks.
   /// For reading, if the log's index cannot be created or grown, it opens a copy in memory of file and log as of now
-  /// (memory_copy.h). A file of an older schema, too, is read from a copy in memory.
+  /// (memory_copy.h). Records of an older schema, too, are read from a copy in memory.
   static Stored<Database> open(const std::filesystem::path& file, const DatabaseOptions& options = {});
   ~Database();
   Database(Database&& other) noexcept;
@@ -124,7 +129,7 @@ class Database {
   static Stored<Database> open_for_reading(const std::filesystem::path& file, const DatabaseOptions& options);
   static Stored<Database> read_in_place(const std::filesystem::path& file, const DatabaseOptions& options);
   static Stored<Database> copy_in_memory(const std::filesystem::path& file, const DatabaseOptions& options);
-  /// The database, or, if its schema is older, a copy of it in memory that is migrated. The file stays as it is.
+  /// The database, or, of records whose schema is older, a copy in memory that is migrated. The file stays as it is.
   static Stored<Database> current(Database database, const DatabaseOptions& options);
   /// Removes the file that a failed open() created, if it is empty and unused.
   static void remove_if_empty(const std::filesystem::path& file, const DatabaseOptions& options);

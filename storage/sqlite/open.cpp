@@ -25,9 +25,26 @@ bool has_content(const char* beside) {
   return !none && size > 0;
 }
 
+std::uint32_t header_number(std::span<const std::byte> header, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::to_integer<std::uint32_t>(header[at + i]);
+  return value;
+}
+
+/// cut_short if the file ends before the last page that its header counts. SQLite itself does not miss a part of that page.
+Stored<void> check_length(sqlite3_file* main, std::span<const std::byte> header, const fs::path& file) {
+  const std::uint32_t page = header_number(header, 16) >> 16;  // two bytes; 1 stands for 65536
+  // Otherwise a program wrote the file that keeps no count of pages (1.3.7).
+  const bool counted = header_number(header, 24) == header_number(header, 92);
+  const std::int64_t whole = std::int64_t{header_number(header, 28)} * (page == 1 ? 65536 : page);
+  const auto there = size_of(main);
+  if (!counted || !there || *there >= whole) return {};
+  return fail(StorageError::cut_short, file.string(), std::to_string(*there) + ' ' + std::to_string(whole));
+}
+
 /// Checks the file's first hundred bytes, unless a log holds newer pages. Most refused files then keep every byte, and get
 /// no log or index beside them. Offsets: SQLite's file format, 1.3.
-Stored<void> check_header(sqlite3* database, const fs::path& file, std::size_t newest) {
+Stored<void> check_header(sqlite3* database, const fs::path& file, const DatabaseOptions& options) {
   const MainFile main(database);
   if (main.handle() == nullptr || size_of(main.handle()).value_or(0) == 0) return {};
   std::array<std::byte, 100> bytes{};
@@ -37,14 +54,10 @@ Stored<void> check_header(sqlite3* database, const fs::path& file, std::size_t n
   constexpr std::string_view magic{"SQLite format 3", 16};
   if (status != SQLITE_OK || !text.starts_with(magic)) return fail(StorageError::not_a_database, file.string());
   if (has_content(sqlite3_filename_wal(sqlite3_db_filename(database, "main")))) return {};
-  const auto number = [&](std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::to_integer<std::uint32_t>(bytes[at + i]);
-    return value;
-  };
-  const std::uint32_t application = number(68), version = number(60), pages = number(28);
+  const std::uint32_t application = header_number(bytes, 68), version = header_number(bytes, 60), pages = header_number(bytes, 28);
   if (application == static_cast<std::uint32_t>(kApplicationId)) {
-    if (version > newest) return fail(StorageError::newer_schema, file.string(), std::to_string(version));
+    if (version > options.migrations.size()) return fail(StorageError::newer_schema, file.string(), std::to_string(version));
+    if (options.kind == DatabaseOptions::Kind::travelling) return check_length(main.handle(), bytes, file);
   } else if (application != 0 || version != 0 || pages > 1) {
     return fail(StorageError::not_a_database, file.string());
   }
@@ -169,7 +182,7 @@ Stored<Database> Database::connect(const fs::path& file, int flags, const Databa
   sqlite3_db_config(handle, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
-  if (auto good = check_header(handle, file, options.migrations.size()); !good) return std::unexpected(good.error());
+  if (auto good = check_header(handle, file, options); !good) return std::unexpected(good.error());
   return database;
 }
 
@@ -194,6 +207,8 @@ Stored<Database> Database::read_in_place(const fs::path& file, const DatabaseOpt
 }
 
 Stored<Database> Database::current(Database database, const DatabaseOptions& options) {
+  // A copy of gigabytes would take as much memory, and whoever reads a travelling file refuses an older schema.
+  if (options.kind == DatabaseOptions::Kind::travelling) return database;
   if (database.schema_version() == static_cast<int>(options.migrations.size())) return database;
   const std::string name = database.file().string();
   sqlite3* handle = nullptr;

@@ -37,18 +37,6 @@ TEST_F(LookTest, a_look_says_whose_a_file_is_and_what_it_carries_and_changes_not
   EXPECT_EQ(code_of(look_into(station->context(), keeper, file)), StorageError::not_allowed) << "its own";
 }
 
-TEST_F(LookTest, a_file_that_was_cut_off_is_no_damage_of_the_records) {
-  must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
-  complete_session(*station, make_student(*station, "2", "Omar"), keep(*station), 81.5);
-  const fs::path file = results();
-  const auto size = fs::file_size(file);
-  for (const auto left : {size / 2, size / 4, std::uintmax_t{5000}, std::uintmax_t{100}}) {
-    fs::resize_file(file, left);
-    EXPECT_EQ(code_of(look_into(office->context(), chief, file)), StorageError::not_exchange) << left;
-    EXPECT_EQ(code_of(read_in(office->context(), chief, file)), StorageError::not_exchange) << left;
-  }
-}
-
 /// The file after `sql`, signed anew by its station.
 void sign_after(const char* sql, const fs::path& file, StorageContext& context) {
   auto db = must(Database::open(file));
@@ -59,6 +47,43 @@ void sign_after(const char* sql, const fs::path& file, StorageContext& context) 
   description.tables = must(table_hashes(db, unwatched));
   must(add_description(db, sign_exchange(*context.key, description)));
   must(db.run("PRAGMA journal_mode = DELETE"));
+}
+
+TEST_F(LookTest, a_file_that_was_cut_off_is_no_damage_of_the_records) {
+  must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
+  complete_session(*station, make_student(*station, "2", "Omar"), keep(*station), 81.5);
+  const fs::path file = results();
+  const auto size = fs::file_size(file);
+  for (const auto left : {size - 1, size / 2, size / 4, std::uintmax_t{5000}, std::uintmax_t{100}}) {
+    fs::resize_file(file, left);
+    const auto look = look_into(office->context(), chief, file);
+    ASSERT_EQ(code_of(look), StorageError::cut_short) << left;
+    EXPECT_EQ(look.error().detail, std::to_string(left) + ' ' + std::to_string(size));
+    EXPECT_EQ(code_of(read_in(office->context(), chief, file)), StorageError::cut_short) << left;
+  }
+}
+
+/// The header alone decides: the disk need not hold the rest.
+TEST_F(LookTest, a_file_above_4_gb_that_was_cut_off_there_is_refused_by_its_header) {
+  const fs::path file = results();
+  constexpr std::uint32_t kPages = 700'000;  // of 8,192 bytes: 5.7 GB
+  {
+    std::fstream bytes(file, std::ios::binary | std::ios::in | std::ios::out);
+    bytes.seekp(28);
+    for (int shift = 24; shift >= 0; shift -= 8) bytes.put(static_cast<char>(kPages >> shift & 0xFF));
+  }
+  constexpr std::uintmax_t kMostOfFat32 = 0xFFFFFFFF;
+  fs::resize_file(file, kMostOfFat32);  // the file system keeps a hole
+  const auto look = look_into(office->context(), chief, file);
+  ASSERT_EQ(code_of(look), StorageError::cut_short);
+  EXPECT_EQ(look.error().detail, "4294967295 5734400000");
+}
+
+TEST_F(LookTest, a_file_of_an_older_program_is_read_where_it_lies_and_not_from_a_copy_in_memory) {
+  const fs::path file = results();
+  sign_after("PRAGMA user_version = 17", file, station->context());
+  EXPECT_EQ(must(open_exchange(file)).schema_version(), 17);
+  EXPECT_EQ(must(Database::open(file, {.access = DatabaseOptions::Access::read_only})).schema_version(), 18) << "as of records";
 }
 
 TEST_F(LookTest, a_file_of_an_older_program_is_called_by_that_name) {

@@ -221,6 +221,12 @@ std::optional<Message> describe_exchange(const StorageFailure& f) {
     case StorageError::not_exchange:
       return Message{Text::tr("This is no file of a station, or not as its station signed it."),
                      Text::tr("%1 was not read. Ask for it once more; nothing was changed.").arg(where)};
+    case StorageError::cut_short: {
+      const auto bytes = [&f](int at) { return installed_locale().toString(text(f.detail).section(u' ', at, at).toULongLong()); };
+      return Message{Text::tr("This file is cut short."),
+                     Text::tr("%1 of the %2 bytes of %3 are there. Copy it here once more; a drive formatted as FAT32 takes no file above 4 GB. Nothing was changed.")
+                         .arg(bytes(0), bytes(1), where)};
+    }
     case StorageError::older_schema:
       return Message{Text::tr("An older version of Cusp made this file."),
                      Text::tr("Update Cusp on the station that made %1, and ask for a new file. Nothing was changed.").arg(where)};

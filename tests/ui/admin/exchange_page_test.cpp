@@ -256,6 +256,17 @@ TEST_F(FilesBetweenStations, AFileThatIsNotAsSignedOrNoneAtAllIsRefusedByName) {
   EXPECT_EQ(clinic.people(), 1u);
 }
 
+TEST_F(FilesBetweenStations, AFileThatIsCutShortIsNamedWithWhatIsThereOfIt) {
+  const QString file = file_of(office, ExchangeKind::office);
+  const qint64 whole = QFile(file).size();
+  ASSERT_TRUE(QFile::resize(file, whole - 1));
+  const auto shown = page(clinic);
+  choose(*shown, file);
+  const QLocale english(QLocale::English);
+  const QString there = QStringLiteral("%1 of the %2 bytes").arg(english.toString(whole - 1), english.toString(whole));
+  EXPECT_TRUE(shown->message().contains(there)) << shown->message().toStdString();
+}
+
 TEST_F(FilesBetweenStations, ARevokedKeyIsNoLongerReadAndCanBeMadeKnownAgain) {
   trust_directly(clinic, office, KeyRole::office);
   const auto shown = page(clinic);
