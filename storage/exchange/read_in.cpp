@@ -183,7 +183,11 @@ Stored<ReadIn> read_in_steps(StorageContext& context, const Actor& actor, const 
   if (!checked) return std::unexpected(failure_in_file(checked.error(), file));
   if (auto same = check_schema(context.db, file); !same) return std::unexpected(failure_in_file(same.error(), file));
   if (auto good = check_content(from.db, checked->description, steps); !good) return std::unexpected(failure_in_file(good.error(), file));
-  return attach_and_merge(context, from, actor, *checked, steps);
+  auto done = attach_and_merge(context, from, actor, *checked, steps);
+  // The log holds the old pages until then, or as many as a failure has undone: on a full disk nothing else would fit. Another connection may
+  // hold it open: the next checkpoint takes it.
+  static_cast<void>(context.db.run("PRAGMA wal_checkpoint(TRUNCATE)"));
+  return done;
 }
 
 }  // namespace
@@ -197,8 +201,6 @@ Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::f
   WorkSteps steps(watch);
   auto done = read_in_steps(context, actor, file, steps);
   if (!done && steps.stopped()) return fail(StorageError::stopped, file.string());
-  // The log holds the old pages until then. Another connection may hold it open: the next checkpoint takes it.
-  if (done) static_cast<void>(context.db.run("PRAGMA wal_checkpoint(TRUNCATE)"));
   return done;
 }
 

@@ -107,6 +107,13 @@ TEST_F(StoppedExchange, reads_nothing_of_a_results_file) {
   EXPECT_EQ(whole(*office), "");
 }
 
+TEST_F(StoppedExchange, gives_the_disk_back_what_the_log_took_of_the_file) {
+  const fs::path file = results(), log = folder / "office.db-wal";
+  ASSERT_GT(fs::file_size(log), 0u);
+  ASSERT_EQ(code_of(read_in(office->context(), chief, file, until(3))), StorageError::stopped);
+  EXPECT_EQ(fs::file_size(log), 0u);
+}
+
 TEST_F(StoppedExchange, reads_nothing_of_an_office_file) {
   const fs::path file = office_file();
   const auto people = rows(*station, "people");
