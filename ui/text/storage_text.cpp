@@ -51,8 +51,10 @@ std::optional<Message> describe_file(const StorageFailure& f) {
                   Text::tr("Nothing of the last step was written to %1; all before it is kept. Free some space and try "
                             "again.")
                       .arg(where)};
-    case StorageError::quota_exceeded:
     case StorageError::file_too_large:
+      return Message{Text::tr("The file is too large."),
+                  Text::tr("Nothing of the last step was written to %1; all before it is kept. A drive formatted as FAT32 takes no file above 4 GB.").arg(where)};
+    case StorageError::quota_exceeded:
     case StorageError::out_of_memory:
     case StorageError::io:
       if (f.where == "memory") {
