@@ -8,6 +8,7 @@
 #include "storage/records/sealing.h"
 #include "storage/records/current_rights.h"
 #include "storage/repositories/erasure.h"
+#include "storage/repositories/new_account.h"
 #include "storage/repositories/sign_in_lock.h"
 
 namespace cusp::storage {
@@ -40,34 +41,8 @@ struct Standing {
   bool disabled = false, same_secrets = false;
 };
 
-Stored<void> check(const NewAccount& a) {
-  if (!has_length(a.number, 1, kMostNumber)) return fail(StorageError::bad_value, "number");
-  if (!has_length(a.name, 1, kMostName)) return fail(StorageError::bad_value, "name");
-  if (!a.pin.empty() && a.role != Role::student) return fail(StorageError::bad_value, "pin");
-  const bool password_optional = a.role == Role::student;
-  if (!(a.password.empty() && password_optional) && !acceptable_password(a.password)) {
-    return fail(StorageError::weak_password, "password");
-  }
-  if (!a.pin.empty() && !acceptable_pin(a.pin)) return fail(StorageError::weak_password, "pin");
-  return {};
-}
-
-/// Empty stays empty. Refuses if argon2id cannot get the memory that the cost asks for.
-std::string secret(Transaction& transaction, std::string_view plain, const PasswordCost& cost) {
-  if (plain.empty()) return {};
-  std::string hashed = hash_password(plain, cost);
-  if (hashed.empty()) transaction.refuse({StorageError::out_of_memory, "memory"});
-  return hashed;
-}
-
-std::optional<Account> insert(StorageContext& c, Transaction& transaction, UserId actor, const NewAccount& a) {
-  const UserId id = UserId::make();
-  transaction.run(
-      "INSERT INTO people (id, number, name, role, password, pin, guest, created_at) "
-      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, 0, ?7)",
-      id, a.number, a.name, key_of(a.role), secret(transaction, a.password, c.cost), secret(transaction, a.pin, c.cost),
-      c.clock());
-  log_account(c, transaction, actor, "account_created", id);
+std::optional<Account> insert(StorageContext& c, Transaction& transaction, UserId actor, const NewAccount& a, const HashedSecrets& secrets) {
+  const UserId id = insert_account(c, transaction, actor, a, secrets);
   return transaction.first(std::string(kAccountColumns) + "WHERE id = ?1", account_of, id);
 }
 
@@ -153,12 +128,14 @@ Stored<bool> Accounts::has_administrator() {
 Stored<Account> Accounts::create_first_administrator(const NewAccount& account) {
   NewAccount wanted = account;
   wanted.role = Role::administrator;
-  if (auto good = check(wanted); !good) return std::unexpected(good.error());
+  if (auto good = check_new_account(wanted); !good) return std::unexpected(good.error());
+  const auto secrets = hashed_secrets(wanted, c_.cost);
+  if (!secrets) return std::unexpected(secrets.error());
   Transaction transaction(c_.db);
   const auto there = has_administrator();
   if (!there) transaction.refuse(there.error());
   if (there && *there) transaction.refuse({StorageError::not_allowed, std::string(key_of(Action::manage_accounts))});
-  auto made = transaction.ok() ? insert(c_, transaction, UserId{}, wanted) : std::nullopt;
+  auto made = transaction.ok() ? insert(c_, transaction, UserId{}, wanted, *secrets) : std::nullopt;
   return naming_number(committed(c_, transaction, std::move(made)), account.number);
 }
 
@@ -171,17 +148,19 @@ Stored<Account> Accounts::demo_student() {
     const auto others =
         transaction.first("SELECT count(*) FROM people WHERE guest = 0", [](Row row) { return row.integer(0); });
     if (others.value_or(0) > 0) transaction.refuse({StorageError::not_allowed, "demo"});
-    if (transaction.ok()) demo = insert(c_, transaction, UserId{}, {.number = "demo", .name = "demo"});
+    if (transaction.ok()) demo = insert(c_, transaction, UserId{}, {.number = "demo", .name = "demo"}, {});
   }
   return committed(c_, transaction, std::move(demo));
 }
 
 Stored<Account> Accounts::create(const Actor& actor, const NewAccount& account) {
   if (auto allowed = require(actor, Action::manage_accounts); !allowed) return std::unexpected(allowed.error());
-  if (auto good = check(account); !good) return std::unexpected(good.error());
+  if (auto good = check_new_account(account); !good) return std::unexpected(good.error());
+  const auto secrets = hashed_secrets(account, c_.cost);
+  if (!secrets) return std::unexpected(secrets.error());
   Transaction transaction(c_.db);
   require_now(transaction, actor.id, Action::manage_accounts);
-  auto made = insert(c_, transaction, actor.id, account);
+  auto made = insert(c_, transaction, actor.id, account, *secrets);
   return naming_number(committed(c_, transaction, std::move(made)), account.number);
 }
 
@@ -270,13 +249,15 @@ Stored<void> Accounts::set_password(const Actor& actor, UserId user, std::string
     if (!good) return std::unexpected(good.error());
     compared = std::move(*good);
   }
+  const auto hashed = hashed_secret(fresh, c_.cost);
+  if (!hashed) return std::unexpected(hashed.error());
   Transaction transaction(c_.db);
   require_now(transaction, actor.id, actor.id == user ? Action::drill : Action::manage_accounts);
   if (compared) {
     if (auto barred = barred_since(transaction, user, *compared, c_.clock())) return std::unexpected(std::move(*barred));
   }
   transaction.run("UPDATE people SET password = ?2, wrong_tries = 0, locked_until = 0 WHERE id = ?1 AND " + kIsAccount, user,
-                  secret(transaction, fresh, c_.cost));
+                  *hashed);
   require_one_change(c_, transaction);
   log_account(c_, transaction, actor.id, "password_changed", user);
   return commit_sealed(c_, transaction);
@@ -285,11 +266,13 @@ Stored<void> Accounts::set_password(const Actor& actor, UserId user, std::string
 Stored<void> Accounts::set_pin(const Actor& actor, UserId user, std::string_view pin) {
   if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
   if (!pin.empty() && !acceptable_pin(pin)) return fail(StorageError::weak_password, "pin");
+  const auto hashed = hashed_secret(pin, c_.cost);
+  if (!hashed) return std::unexpected(hashed.error());
   Transaction transaction(c_.db);
   require_now(transaction, actor.id, Action::manage_accounts);
   transaction.run(
       "UPDATE people SET pin = ?2, wrong_tries = 0, locked_until = 0 WHERE id = ?1 AND role = 'student' AND " + kIsAccount,
-      user, secret(transaction, pin, c_.cost));
+      user, *hashed);
   require_one_change(c_, transaction);
   log_account(c_, transaction, actor.id, "pin_changed", user);
   return commit_sealed(c_, transaction);
