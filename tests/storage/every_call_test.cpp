@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "storage/repositories/student_lines.h"
 #include "tests/full_run.h"
 #include "tests/storage/failing_vfs.h"
 #include "tests/storage/sample.h"
@@ -47,6 +48,10 @@ RecordedSecond large_second(std::uint64_t first_tick) {
   return second;
 }
 
+std::vector<StudentLine> two_students() {
+  return {{.account = {.number = "77", .name = "New"}, .cohort = "Year 3"}, {.account = {.number = "78", .name = "New"}}};
+}
+
 std::vector<Operation> operations_on_people() {
   return {
       {"create a student",
@@ -54,6 +59,8 @@ std::vector<Operation> operations_on_people() {
          return outcome(
              s.accounts.create(r.administrator, {.number = "77", .name = "New", .password = "battery staple"}));
        }},
+      {"add the students of a list",
+       [](Store& s, const Rows& r) { return add_students(s.context(), r.administrator, two_students()).failure; }},
       {"rename",
        [](Store& s, const Rows& r) { return outcome(s.accounts.rename(r.administrator, r.student.id, "78", "N")); }},
       {"set a role",

@@ -60,7 +60,6 @@ PeopleImport::PeopleImport(Store& store, const Actor& actor, const Ports& ports,
   connect(choose_, &QPushButton::clicked, this, &PeopleImport::choose_file);
   connect(start_, &QPushButton::clicked, this, &PeopleImport::start);
   connect(save_, &QPushButton::clicked, this, &PeopleImport::save_slips);
-  connect(run_->busy(), &Busy::cancelled, this, &PeopleImport::stop);
   fit_buttons();
   setFocusProxy(choose_);
 }
@@ -152,47 +151,44 @@ void PeopleImport::read_file(const QString& path) {
 void PeopleImport::start() {
   if (working()) return;
   PeopleImportWork work{records_of(store_), actor_, to_do()};
-  if (slips_saved_) slips_.clear();
-  slips_before_ = slips_.size();
-  slips_saved_ = false;
   band_->clear();
   progress_ = run_->start(tr("Making accounts"),
                           [](std::size_t done, std::size_t all) { return tr("%1 of %2").arg(count_text(done), count_text(all)); });
-  progress_->all = work.lines.size();
-  stop_.emplace();
   fit_buttons();
-  task_ = make_accounts(std::move(work), stop_->get_token(),
-                        {on_window<PinSlip>(this, &PeopleImport::add_slip), on_window<int>(this, &PeopleImport::show_done),
-                         on_window<PeopleImportEnd>(this, &PeopleImport::end)});
+  task_ = make_accounts(std::move(work), progress_, on_window<PeopleImportEnd>(this, &PeopleImport::end));
 }
 
-void PeopleImport::stop() {
-  if (working()) stop_->request_stop();
-}
-
-void PeopleImport::add_slip(const PinSlip& slip) { slips_.push_back(slip); }
-
-void PeopleImport::show_done(const int& lines) { progress_->done = static_cast<std::size_t>(lines); }
+void PeopleImport::stop() { run_->cancel(); }
 
 void PeopleImport::end(const PeopleImportEnd& end) {
-  const bool stopped = stop_->stop_requested();
-  stop_.reset();
-  // A second start makes what is left: lines that were done are known now. A line that was left out may repeat the number of another.
-  std::vector<ListedStudent> lines = model_->students();
-  for (ListedStudent& line : lines)
-    if (line.state == State::fresh && std::ranges::any_of(slips_, [&](const PinSlip& slip) { return slip.number == line.number; })) {
-      line.state = State::known;
-      line.made = true;
+  progress_.reset();
+  if (!end.failure) {
+    if (slips_saved_) slips_.clear();
+    slips_saved_ = false;
+    slips_.insert(slips_.end(), end.slips.begin(), end.slips.end());
+    // A second start has nothing left to do. A line that was left out may repeat the number of another.
+    std::vector<ListedStudent> lines = model_->students();
+    for (ListedStudent& line : lines) {
+      line.made = line.made || line.state == State::fresh;
+      if (line.state == State::fresh) line.state = State::known;
     }
-  model_->set_students(std::move(lines));
+    model_->set_students(std::move(lines));
+  }
   fit_buttons();
   run_->finish(save_);
-  const QString what = !end.failure ? (stopped ? tr("Stopped.") : tr("The list is imported."))
+  show_end(end);
+}
+
+void PeopleImport::show_end(const PeopleImportEnd& end) {
+  const QString save = slips_.empty() || slips_saved_ ? QString() : u' ' + tr("Save the PIN slips now: the PINs stand nowhere else.");
+  if (!end.failure) {
+    return band_->show_message(Band::Kind::good, tr("The list is imported."), tr("%n account(s) made.", nullptr, static_cast<int>(end.slips.size())) + save);
+  }
+  const bool stopped = end.failure->code == StorageError::stopped;
+  const QString what = stopped         ? tr("Stopped.")
                        : end.line == 0 ? describe(*end.failure).line()
                                        : tr("Stopped at line %1.").arg(end.line) + u' ' + describe(*end.failure).line();
-  band_->show_message(end.failure ? Band::Kind::bad : stopped ? Band::Kind::look : Band::Kind::good, what,
-                      tr("%n account(s) made.", nullptr, static_cast<int>(slips_.size() - slips_before_)) +
-                          (slips_.empty() ? QString() : u' ' + tr("Save the PIN slips now: the PINs stand nowhere else.")));
+  band_->show_message(stopped ? Band::Kind::look : Band::Kind::bad, what, tr("No account was made.") + save);
 }
 
 void PeopleImport::save_slips() {

@@ -4,8 +4,6 @@
 
 #include <QWidget>
 #include <memory>
-#include <optional>
-#include <stop_token>
 #include <vector>
 
 #include "storage/store.h"
@@ -27,19 +25,19 @@ class PeopleImport : public QWidget {
 
  public:
   PeopleImport(Store& store, const Actor& actor, const Ports& ports, QWidget* parent = nullptr);
-  /// Stops the work before its next line.
+  /// Stops the work before its next line: it then makes nothing.
   ~PeopleImport() override;
   const StudentListModel& model() const { return *model_; }
   const std::vector<PinSlip>& slips() const { return slips_; }
   QString message() const;
-  bool working() const { return stop_.has_value(); }
+  bool working() const { return progress_ != nullptr; }
   /// Accounts are being made, or their PINs stand nowhere else yet.
   bool unsaved() const { return working() || !(slips_.empty() || slips_saved_); }
 
  public Q_SLOTS:
   void choose_file();
   void start();
-  /// Before the next line; the page says so when the line at hand is made.
+  /// Before the next line, so that nothing is made; the page says so.
   void stop();
   void save_slips();
 
@@ -49,9 +47,8 @@ class PeopleImport : public QWidget {
  private:
   void leave();
   void read_file(const QString& path);
-  void add_slip(const PinSlip& slip);
-  void show_done(const int& lines);
   void end(const PeopleImportEnd& end);
+  void show_end(const PeopleImportEnd& end);
   void fit_buttons();
   /// The lines that make an account or join a cohort.
   std::vector<ListedStudent> to_do() const;
@@ -65,11 +62,9 @@ class PeopleImport : public QWidget {
   Band* band_ = nullptr;
   WorkRun* run_ = nullptr;
   QPushButton *choose_ = nullptr, *start_ = nullptr, *save_ = nullptr;
-  std::optional<std::stop_source> stop_;  // of the work that runs
   BackgroundTask task_;
-  std::shared_ptr<WorkProgress> progress_;  // of the newest work, in lines
+  std::shared_ptr<WorkProgress> progress_;  // of the work that runs
   std::vector<PinSlip> slips_;  // of every start since they were saved; PINs stand nowhere else
-  std::size_t slips_before_ = 0;  // of them, from before the last start
   bool slips_saved_ = false;
 };
 

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
-#include <stop_token>
 #include <vector>
 
 #include "ui/admin/people_csv.h"
 #include "ui/admin/pin_slips.h"
+#include "ui/admin/work_run.h"
 #include "ui/modules.h"
 #include "ui/session/background_task.h"
 #include "ui/session/records_task.h"
@@ -21,18 +22,12 @@ struct PeopleImportWork {
 };
 
 struct PeopleImportEnd {
-  std::optional<StorageFailure> failure;
-  int line = 0;  // of the file, at which `failure` stopped the work; 0: before the first
+  std::vector<PinSlip> slips{};  // of the accounts that were made
+  std::optional<StorageFailure> failure{};  // none was made
+  int line = 0;  // of the file, that `failure` concerns; 0: no single one
 };
 
-/// All are called on the task's thread.
-struct PeopleImportAnswers {
-  std::function<void(PinSlip)> account_made;  // before the account joins its cohort: no PIN is lost if that fails
-  std::function<void(int)> lines_done;        // how many now
-  std::function<void(PeopleImportEnd)> ended;
-};
-
-/// Makes accounts, PINs and cohorts line by line. `stop` ends it before the next line.
-BackgroundTask make_accounts(PeopleImportWork work, std::stop_token stop, PeopleImportAnswers answers);
+/// Makes the accounts, PINs and cohorts of all lines, or none. `ended` is called on the task's thread.
+BackgroundTask make_accounts(PeopleImportWork work, std::shared_ptr<WorkProgress> progress, std::function<void(PeopleImportEnd)> ended);
 
 }  // namespace cusp::ui
