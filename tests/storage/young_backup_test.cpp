@@ -70,5 +70,23 @@ TEST_F(YoungBackup, of_a_clock_that_starts_at_the_same_date_each_time_is_one_unt
   EXPECT_TRUE(is_there());
 }
 
+TEST_F(YoungBackup, under_a_clock_that_the_network_set_a_minute_after_the_start_is_as_young_as_what_came_before_the_start) {
+  use_at(kNow);
+  use_at(kNow - 3000 * kAge_us);  // the battery is empty
+  make_daily();
+  use_at(kNow - 3000 * kAge_us + kOneHour_us);
+  use_at(kNow + 14 * kOneHour_us);
+  EXPECT_TRUE(is_there()) << "each start would make two";
+  use_at(kNow + 24 * kOneHour_us);
+  EXPECT_FALSE(is_there()) << "it may have been made a day ago";
+}
+
+TEST_F(YoungBackup, is_none_after_two_months_without_use) {
+  use_at(kNow);
+  make_daily();
+  use_at(kNow + 60 * kAge_us);
+  EXPECT_FALSE(is_there());
+}
+
 }  // namespace
 }  // namespace cusp::test
