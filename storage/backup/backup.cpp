@@ -1,11 +1,10 @@
 #include "storage/backup/backup.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "storage/backup/half_restored.h"
+#include "storage/backup/kept_backups.h"
 #include "storage/base/files.h"
-#include "storage/base/left_folders.h"
 #include "storage/base/process.h"
 #include "storage/records/rollback_counter.h"
 #include "storage/records/sealing.h"
@@ -17,12 +16,6 @@ namespace cusp::storage {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
-
-constexpr const char* kBackupDatabase = "station.db";
-constexpr const char* kBackupKey = "station.db.key";
-constexpr int kBackupFormat = 1;
-constexpr const char *kDaily = "daily", *kManual = "manual";  // "kind" of a description
 
 /// "cusp-2026-11-20T09-14-03Z": no file system refuses it, and names sort by time.
 std::string name_at(const std::string& what, std::int64_t utc_us) {
@@ -132,37 +125,9 @@ Stored<Backup> fill(StorageContext& context, const fs::path& folder, BackupKind 
   std::error_code error;
   const auto bytes = fs::file_size(folder / kBackupDatabase, error);
   if (error) return std::unexpected(failure_from(error, folder));
-  const Backup backup{folder, context.station, now, *sessions, bytes, kind};
-  const json description = {{"cusp_backup", kBackupFormat}, {"station", backup.station.text()}, {"made_at", now},
-                            {"sessions", backup.sessions}, {"bytes", backup.bytes}, {"kind", kind == BackupKind::daily ? kDaily : kManual}};
-  if (auto done = write_private_file(folder / kBackupDescription, description.dump()); !done) return std::unexpected(done.error());
+  const Backup backup{folder, context.station, now, *sessions, bytes, kind, next_order(context, folder.parent_path())};
+  if (auto done = write_description(backup); !done) return std::unexpected(done.error());
   return backup;
-}
-
-/// The description goes first: a program that is killed here leaves an unfinished folder, and no backup that lacks its key.
-std::error_code remove_copy(const fs::path& folder) {
-  std::error_code error;
-  fs::remove(folder / kBackupDescription, error);
-  if (!error) fs::remove_all(folder, error);
-  return error;
-}
-
-/// A backup without a description, or with the beginning of one: write_private_file() adds to its name.
-bool is_abandoned(const fs::path& folder) {
-  const auto is_content = [](std::string_view name) {
-    return name.starts_with(kBackupDatabase) || name.starts_with(std::string(kBackupDescription) + '.');
-  };
-  std::error_code error;
-  return folder.filename().string().starts_with("cusp-") && is_left_folder(folder, is_content) && !fs::is_empty(folder, error) && !error;
-}
-
-/// Of any station. Each holds a secret key, and room that the next backup needs.
-std::vector<fs::path> abandoned_in(const fs::path& into) {
-  std::vector<fs::path> out;
-  std::error_code error;
-  for (fs::directory_iterator it(into, error), end; !error && it != end; it.increment(error))
-    if (is_abandoned(it->path())) out.push_back(it->path());
-  return out;
 }
 
 /// corrupt if the file is there and holds no whole key.
@@ -233,61 +198,6 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
   // A restore that succeeded at the second try is the last one of its name.
   remove_left_restores(context.db.file());
   return backup;
-}
-
-Stored<Backup> read_backup(const fs::path& folder) {
-  std::error_code error;
-  if (!fs::is_directory(folder, error) && error != std::errc::permission_denied) return fail(StorageError::not_found, folder.string());
-  const auto content = read_private_file(folder / kBackupDescription);
-  if (!content) return std::unexpected(content.error());
-  if (!*content || !fs::is_regular_file(folder / kBackupDatabase, error)) return fail(StorageError::not_found, folder.string());
-  const json description = json::parse(**content, nullptr, false);
-  const auto number = [&](const char* key) {
-    const auto it = description.find(key);
-    return it != description.end() && it->is_number_integer() ? it->get<std::int64_t>() : -1;
-  };
-  const auto named = description.find("station");
-  const auto station = named != description.end() && named->is_string() ? Uuid::parse(named->get<std::string>()) : std::nullopt;
-  if (!station || number("cusp_backup") != kBackupFormat || number("made_at") < 0 || number("sessions") < 0 ||
-      number("bytes") < 0) {
-    return fail(StorageError::not_found, folder.string());
-  }
-  const auto kind = description.find("kind");
-  const bool manual = kind != description.end() && *kind == kManual;
-  return Backup{folder, *station, number("made_at"), static_cast<std::uint64_t>(number("sessions")),
-                static_cast<std::uint64_t>(number("bytes")), manual ? BackupKind::manual : BackupKind::daily};
-}
-
-Stored<std::vector<Backup>> backups_in(const fs::path& into, const std::optional<Uuid>& station) {
-  std::vector<Backup> out;
-  std::error_code error;
-  if (!fs::exists(into, error) && !error) return out;
-  if (error) return std::unexpected(failure_from(error, into));
-  for (fs::directory_iterator it(into, error), end; !error && it != end; it.increment(error)) {
-    if (auto backup = read_backup(it->path()); backup && (!station || backup->station == *station)) out.push_back(std::move(*backup));
-  }
-  if (error) return std::unexpected(failure_from(error, into));
-  std::ranges::sort(out, [](const Backup& a, const Backup& b) {
-    return std::tie(b.made_utc_us, b.folder) < std::tie(a.made_utc_us, a.folder);
-  });
-  return out;
-}
-
-Stored<void> thin_backups(const fs::path& into, const Uuid& station, BackupKind kind, std::size_t keep, std::int64_t now_utc_us) {
-  std::vector<fs::path> going = abandoned_in(into);
-  std::error_code ignored;
-  auto all = backups_in(into, station);
-  if (!all) return std::unexpected(all.error());
-  // Removing would begin with the description behind the link.
-  std::erase_if(*all, [&](const Backup& one) { return one.kind != kind || fs::is_symlink(one.folder, ignored); });
-  std::ranges::stable_partition(*all, [&](const Backup& one) { return one.made_utc_us <= now_utc_us; });
-  for (std::size_t i = keep; i < all->size(); ++i) going.push_back((*all)[i].folder);
-  Stored<void> out;
-  for (const fs::path& folder : going) {
-    const std::error_code error = remove_copy(folder);
-    if (error && out) out = std::unexpected(failure_from(error, folder));
-  }
-  return out;
 }
 
 namespace {

@@ -31,6 +31,7 @@ struct Backup {
   std::uint64_t sessions = 0;
   std::uint64_t bytes = 0;  // of the database
   BackupKind kind = BackupKind::manual;
+  std::uint64_t order = 0;  // a newer one of the station has a greater one, whatever the clock said; 0: an older program made it
 };
 
 /// A new folder in `into`, which is made at need. Needs manage_station, at the end as the records have it then; without an actor the
@@ -42,14 +43,15 @@ struct Backup {
 Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& actor, const std::filesystem::path& into,
                            const WorkWatch& watch = {});
 
-/// Of this station, or of every one without a station, newest first: several may share a folder. Empty if the folder does not exist; a
-/// drive that does not answer is a failure.
+/// Of this station, or of every one without a station, newest first: several may share a folder. Those of one station stand by Backup::order,
+/// which a wrong clock does not change. Empty if the folder does not exist; a drive that does not answer is a failure.
 Stored<std::vector<Backup>> backups_in(const std::filesystem::path& into, const std::optional<Uuid>& station);
 /// not_found unless the folder holds a whole backup.
 Stored<Backup> read_backup(const std::filesystem::path& folder);
 /// Removes all of this station and kind but the newest `keep` ones, and what a backup that was cut off left more than a day ago: it holds
-/// a secret key. Those that a wrong clock dated after `now_utc_us` count as the oldest; what a link leads to stays, and does not count. One
-/// that cannot be removed stops no other, and what is left of it is no backup; the failure names the first.
+/// a secret key. Of daily ones with about the same date half of `keep` stay at most. Without an order those dated after `now_utc_us` count as the
+/// oldest; what a link leads to stays, and does not count. One that cannot be removed stops no other, and what is left of it is no backup; the
+/// failure names the first.
 Stored<void> thin_backups(const std::filesystem::path& into, const Uuid& station, BackupKind kind, std::size_t keep, std::int64_t now_utc_us);
 
 /// Work on the new database and what lies beside it, before they get their names. It closes what it opens.
