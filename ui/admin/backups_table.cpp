@@ -2,6 +2,7 @@
 
 #include <QLocale>
 #include <QStandardItemModel>
+#include <map>
 
 #include "ui/widgets/format.h"
 
@@ -11,6 +12,16 @@ namespace {
 constexpr int kNumbers[] = {2, 3}, kFolder = 4;  // columns
 
 }  // namespace
+
+QString dates_note(const std::vector<Backup>& newest_first) {
+  std::map<Uuid, std::int64_t> dates;  // [station] of the one above
+  for (const Backup& one : newest_first) {
+    const auto [above, first] = dates.try_emplace(one.station, one.made_utc_us);
+    if (!first && above->second < one.made_utc_us) return BackupsTable::tr("A clock was wrong, so that the dates are not in order: the newest backup stands first.");
+    above->second = one.made_utc_us;
+  }
+  return {};
+}
 
 BackupsTable::BackupsTable(QWidget* parent) : Table(parent), list_(new QStandardItemModel(this)) {
   setAccessibleName(tr("Backups"));

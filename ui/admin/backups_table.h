@@ -12,6 +12,9 @@ class QStandardItemModel;
 
 namespace cusp::ui {
 
+/// Of backups, newest first: how they stand where a wrong clock dated some; else empty.
+QString dates_note(const std::vector<Backup>& newest_first);
+
 class BackupsTable : public Table {
   Q_OBJECT
 

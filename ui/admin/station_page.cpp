@@ -153,7 +153,7 @@ void StationPage::show_found(const FoundBackups& found) {
                          : tr("The folder cannot be read: %1.").arg(QString::fromLocal8Bit(all.error().detail.c_str())));
     return;
   }
-  newest_->setText(tr("The newest one is of %1.").arg(format_day_time(local_time(all->front().made_utc_us))));
+  newest_->setText((tr("The newest one is of %1.").arg(format_day_time(local_time(all->front().made_utc_us))) + u' ' + dates_note(*all)).trimmed());
 }
 
 std::shared_ptr<WorkProgress> StationPage::begin(const QString& what, WorkRun::Counted counted) {

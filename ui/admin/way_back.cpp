@@ -79,6 +79,7 @@ void WayBack::show_found(const FoundBackups& found) {
     const auto others = std::ranges::stable_partition(*all, [this](const Backup& one) { return !is_of_another(one, station_); });
     found_->setText(tr("%n backup(s) in %1.", nullptr, static_cast<int>(all->size())).arg(name));
     if (!others.empty()) found_->setText(found_->text() + u' ' + tr("Those of other stations stand last."));
+    if (const QString note = dates_note(*all); !note.isEmpty()) found_->setText(found_->text() + u' ' + note);
   }
   table_->show_backups(all ? std::move(*all) : std::vector<Backup>{});
   table_->choose_row(0);

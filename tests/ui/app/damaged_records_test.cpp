@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QLabel>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -142,6 +144,26 @@ TEST_F(DamagedRecords, stay_where_they_are_if_the_backup_is_damaged_too) {
   EXPECT_EQ(std::filesystem::file_size(file), 5000u);
   EXPECT_TRUE(std::filesystem::exists(file.string() + ".key"));
   for (const auto& entry : std::filesystem::directory_iterator(file.parent_path())) EXPECT_FALSE(entry.path().filename().string().starts_with("school.db-damaged-"));
+}
+
+TEST_F(DamagedRecords, are_offered_the_newest_backup_first_though_a_wrong_clock_dated_it) {
+  const std::filesystem::path into = folder.filePath(QStringLiteral("backups")).toStdString();
+  const auto early = make_backup(records.store().context(), std::nullopt, into);
+  ASSERT_TRUE(early);
+  records.now_us -= 3000 * std::int64_t{86'400'000'000};
+  const auto newest = make_backup(records.store().context(), std::nullopt, into);
+  ASSERT_TRUE(newest);
+  const auto file = std::filesystem::path(folder.filePath(QStringLiteral("school.db")).toStdString());
+  ASSERT_TRUE(restore_backup(*early, file));
+  std::filesystem::resize_file(file, 5000);
+  const Ports ports = Ports::of_the_system();
+  WayBack page(file, into, {QStringLiteral("Damaged"), {}}, ports);
+  page.show();
+  ASSERT_TRUE(found(page));
+  const auto* table = page.findChild<Table*>();
+  EXPECT_EQ(table->model()->index(0, 4).data().toString().toStdString(), newest->folder.filename().string());
+  const QList<QLabel*> labels = page.findChildren<QLabel*>();
+  EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel* label) { return label->text().contains(QStringLiteral("the newest backup stands first")); }));
 }
 
 TEST_F(DamagedRecords, are_offered_their_own_stations_backups_before_newer_ones_of_another) {
