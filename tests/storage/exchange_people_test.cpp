@@ -45,12 +45,14 @@ TEST_F(ExchangePeopleTest, that_two_stations_made_for_one_number_are_named_as_po
 
 TEST_F(ExchangePeopleTest, that_two_stations_made_for_one_name_under_two_numbers_are_named_as_possible_doubles) {
   must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
-  must(office->accounts.create(chief, {.number = "1003", .name = omar.name}));
+  const Account namesake = must(office->accounts.create(chief, {.number = "1003", .name = omar.name}));
+  const CohortId year = must(office->cohorts.create(chief, "Year 2")).id;
+  for (const Account& one : {omar, namesake}) must(office->cohorts.add(chief, year, one.id));
   const Account own = must(station->accounts.create(keeper, {.number = "10O1", .name = "lena brandt"}));
   attempt(own);
   at_office(results());
   const auto doubles = must(possible_doubles(office->context(), chief));
-  ASSERT_EQ(doubles.size(), 1u) << "two of one name whom the office made itself are two people";
+  ASSERT_EQ(doubles.size(), 1u) << "two of one name in one cohort are two people";
   EXPECT_EQ(doubles[0].account.id, lena.id);
   EXPECT_EQ(doubles[0].other.id, own.id);
   EXPECT_EQ(doubles[0].stations, std::vector<Uuid>{station->context().station});

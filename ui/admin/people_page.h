@@ -63,7 +63,7 @@ class PeoplePage : public QWidget, public Rereads, public HalfFilled {
   /// Calls `then`; after a question, or never, if it would take away what is typed.
   void leave_form(std::function<void()> then);
   void begin_new();
-  /// Who may be the same person as the form's, by an account that another station made.
+  /// Who may be the same person as the form's, by another account.
   void show_doubles();
   void fit_secret();
   void save();

@@ -1,4 +1,4 @@
-// The people's page: who may be the same person by an account of another station.
+// The people's page: who may be the same person by another account.
 
 #include <QLabel>
 
@@ -15,6 +15,10 @@ void PeoplePage::show_doubles() {
     if (!edited_ || (!made_elsewhere && one.account.id != edited_->id)) continue;
     const Account& same = made_elsewhere ? one.account : one.other;
     const QString who = tr("%1, %2", "name, number").arg(QString::fromStdString(same.name), QString::fromStdString(same.number));
+    if (one.by_name_alone) {
+      lines += tr("Perhaps the same person as %1: the names agree, and no cohort holds both.").arg(who);
+      continue;
+    }
     QStringList stations;
     for (const Uuid& station : one.stations)
       stations += station_text(names_ ? names_->station_name(QString::fromStdString(station.text())) : QString(), station);

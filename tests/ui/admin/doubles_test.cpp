@@ -44,5 +44,13 @@ TEST_F(Doubles, are_named_on_both_accounts_with_the_station_and_on_no_other) {
   EXPECT_EQ(same_person(page, omar), QString());
 }
 
+TEST_F(Doubles, of_which_the_names_alone_agree_are_named_without_a_station) {
+  const Account lena = records.student("4711", "Lena Brandt"), other = records.student("0815", "Brandt, Lena");
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  EXPECT_EQ(same_person(page, lena).toStdString(), "Perhaps the same person as Brandt, Lena, 0815: the names agree, and no cohort holds both.");
+  EXPECT_EQ(same_person(page, other).toStdString(), "Perhaps the same person as Lena Brandt, 4711: the names agree, and no cohort holds both.");
+}
+
 }  // namespace
 }  // namespace cusp::test
