@@ -10,6 +10,7 @@
 
 #include "storage/base/text_length.h"
 #include "storage/repositories/cohorts.h"
+#include "storage/repositories/possible_doubles.h"
 #include "ui/widgets/format.h"
 
 namespace cusp::ui {
@@ -168,6 +169,19 @@ ListedStudent::Problem problem_of(const ListedStudent& student) {
   return none;
 }
 
+void find_namesakes(std::vector<ListedStudent>& list, const std::vector<Account>& accounts) {
+  std::set<QString> listed;
+  for (const ListedStudent& student : list) listed.insert(student.number.toCaseFolded());
+  std::map<std::string, std::vector<QString>> numbers;  // [agreeing_name()]
+  for (const Account& account : accounts)
+    if (account.role == Role::student && !account.disabled) numbers[agreeing_name(account.name)].push_back(QString::fromStdString(account.number));
+  for (ListedStudent& student : list) {
+    const auto same = student.state == ListedStudent::State::fresh ? numbers.find(agreeing_name(student.name.toStdString())) : numbers.end();
+    if (same == numbers.end() || same->second.size() > 1 || listed.contains(same->second.front().toCaseFolded())) continue;
+    student.namesake = same->second.front();
+  }
+}
+
 }  // namespace
 
 Result<CsvTable, CsvFailure> read_csv(const QString& text) { return CsvReader(text).read(); }
@@ -212,6 +226,7 @@ Result<std::vector<ListedStudent>, ListFailure> read_student_list(const QByteArr
     if (student.problem != ListedStudent::Problem::none) student.state = ListedStudent::State::bad;
     out.push_back(std::move(student));
   }
+  find_namesakes(out, accounts);
   return out;
 }
 

@@ -35,6 +35,7 @@ struct ListedStudent {
   int line = 0;
   QString number, name, pin, cohort;  // pin and cohort may be empty
   State state = State::fresh;
+  QString namesake;  // of a fresh line: the number of the one account that has its name and that the list leaves out: perhaps the same person's
   bool made = false;  // the account, by this import
   bool switched_off = false;  // the account that is known: nobody signs in with it
   Problem problem = Problem::none;

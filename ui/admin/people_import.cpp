@@ -143,9 +143,11 @@ void PeopleImport::read_file(const QString& path) {
   if (const int known = model_->count(State::known); known > 0) more += tr("%n student(s) have one already.", nullptr, known);
   const auto off = std::ranges::count_if(model_->students(), [](const ListedStudent& s) { return s.state == State::known && s.switched_off; });
   if (off > 0) more += tr("Switched off, so that nobody signs in with them: %1. Switch them on under People.").arg(count_text(static_cast<std::size_t>(off)));
+  const auto named = std::ranges::count_if(model_->students(), [](const ListedStudent& s) { return !s.namesake.isEmpty(); });
+  if (named > 0) more += tr("%n new name(s) have an account under another number: perhaps the same person.", nullptr, static_cast<int>(named));
   if (other > 0) more += tr("%n number(s) belong to another name and stay as they are.", nullptr, other);
   if (bad > 0) more += tr("%n line(s) are left out; the table says why.", nullptr, bad);
-  band_->show_message(bad + other + off > 0 ? Band::Kind::look : Band::Kind::info, what, more.join(u' '));
+  band_->show_message(bad + other + off + named > 0 ? Band::Kind::look : Band::Kind::info, what, more.join(u' '));
 }
 
 void PeopleImport::start() {

@@ -13,7 +13,7 @@ using Problem = ListedStudent::Problem;
 
 QString state_text(const ListedStudent& student) {
   switch (student.state) {
-    case State::fresh: return StudentListModel::tr("new");
+    case State::fresh: return student.namesake.isEmpty() ? StudentListModel::tr("new") : StudentListModel::tr("name has number %1").arg(student.namesake);
     case State::known: return student.switched_off ? StudentListModel::tr("has an account, switched off") : StudentListModel::tr("has an account");
     case State::other_name: return StudentListModel::tr("number has another name");
     case State::bad: break;
@@ -32,7 +32,7 @@ QString state_text(const ListedStudent& student) {
 
 Chip::Kind state_chip(const ListedStudent& student) {
   switch (student.state) {
-    case State::fresh: return Chip::Kind::plain;
+    case State::fresh: return student.namesake.isEmpty() ? Chip::Kind::plain : Chip::Kind::look;
     case State::known: return student.switched_off ? Chip::Kind::look : Chip::Kind::good;
     case State::other_name: return Chip::Kind::look;
     case State::bad: break;

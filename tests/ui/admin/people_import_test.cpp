@@ -117,6 +117,14 @@ TEST(StudentList, leaves_accounts_that_stand_as_they_are) {
   EXPECT_EQ(list_of("number,name\n4711,Someone\n", {lena})[0].state, State::other_name);
 }
 
+TEST(StudentList, names_the_account_that_has_the_name_of_a_new_line_unless_the_list_names_both) {
+  const Account lena{.number = "4711", .name = "Lena Brandt"}, omar{.number = "4712", .name = "Omar Haddad"};
+  const auto list = list_of("number,name\n0815,\"Brandt, Lena\"\n4712,Omar Haddad\n0816,Omar Haddad\n", {lena, omar});
+  ASSERT_EQ(list.size(), 3u);
+  EXPECT_EQ(list[0].namesake, QStringLiteral("4711"));
+  EXPECT_EQ(list[2].namesake, QString());
+}
+
 TEST(StudentList, knows_an_account_whose_name_an_older_program_took_with_its_marks_and_blanks) {
   Account lena, omar;
   lena.number = "1", lena.name = "Lena  Brandt";
