@@ -51,9 +51,12 @@ constexpr std::array kCopies = {
 Stored<void> fill_new(const fs::path& file, const fs::path& from, const OnCopy& fill, const OnCopy& finish) {
   auto to = Database::open(file, {.on_network_drive = admits_network_drive});
   if (!to) return std::unexpected(to.error());
+  // What is lost before the copy is whole was never there; a stick is waited for once, and not after each of thousands of attempts.
+  if (auto done = to->run("PRAGMA synchronous = OFF"); !done) return done;
   if (auto done = to->attach_source(from); !done) return done;
   if (auto done = fill(*to); !done) return done;
   to->detach_source();
+  if (auto done = to->run("PRAGMA synchronous = FULL"); !done) return done;
   if (auto done = to->run("PRAGMA journal_mode = DELETE"); !done) return done;
   std::error_code error;
   // SQLite keeps its log if it could not write all of it into the database.

@@ -47,6 +47,22 @@ TEST_F(ExchangeCopies, a_file_takes_its_name_once_it_is_whole) {
   EXPECT_EQ(fs::file_size(taken), 17u) << "another program's stays";
 }
 
+TEST_F(ExchangeCopies, a_file_is_on_the_disk_before_it_is_signed_and_not_after_each_attempt) {
+  constexpr std::int64_t kOff = 0, kFull = 2;
+  const auto synchronous = [](Database& to) { return must(to.first("PRAGMA synchronous", [](Row row) { return row.integer(0); })); };
+  std::optional<std::int64_t> filling, finishing;
+  const auto fill = [&](Database& to) -> Stored<void> {
+    filling = synchronous(to);
+    return to.run("INSERT INTO station SELECT * FROM source.station");
+  };
+  must(make_copy(next_file(), folder / "office.db", fill, [&](Database& to) -> Stored<void> {
+    finishing = synchronous(to);
+    return {};
+  }));
+  EXPECT_EQ(filling, kOff);
+  EXPECT_EQ(finishing, kFull);
+}
+
 TEST_F(ExchangeCopies, a_file_whose_name_is_taken_meanwhile_has_no_last_work) {
   const fs::path taken = next_file();
   const auto fill = [&](Database&) -> Stored<void> {
