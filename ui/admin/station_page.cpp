@@ -184,7 +184,7 @@ void StationPage::show_backed_up(const Stored<BackedUp>& made) {
     return band_->show_message(Band::Kind::look, tr("The backup was stopped."), tr("No backup was made, and the records are unchanged."));
   }
   if (!made) {
-    const Message message = describe(made.error());
+    const Message message = describe_backup_failure(made.error(), settings_.backup_folder(database_));
     band_->show_message(Band::Kind::bad, tr("No backup was made."), message.what + u' ' + message.more);
     return;
   }

@@ -29,8 +29,8 @@ QString copied_share(std::size_t done, std::size_t all) {
 }
 
 /// nullopt: nothing failed.
-std::optional<Message> failure_of_daily(const Stored<BackedUp>& made) {
-  if (!made) return Message{Desktop::tr("The daily backup failed."), describe(made.error()).line()};
+std::optional<Message> failure_of_daily(const Stored<BackedUp>& made, const std::filesystem::path& into) {
+  if (!made) return Message{Desktop::tr("The daily backup failed."), describe_backup_failure(made.error(), into).line()};
   if (!made->not_removed) return std::nullopt;
   return Message{Desktop::tr("The daily backup is made. An old one could not be removed."),
                  Desktop::tr("%1: %2.").arg(isolate(QString::fromStdString(made->not_removed->where)), QString::fromLocal8Bit(made->not_removed->detail.c_str()))};
@@ -66,7 +66,7 @@ void Desktop::end_daily_backup(const Stored<BackedUp>& made) {
   if (!made || made->by == BackedUp::By::this_call || next_backup_.isValid()) {
     // Each hour may fail: whoever has read of it reads it again at the next sign-in.
     const bool unread = !backup_failure_ && account_ && account_->role == Role::administrator;
-    backup_failure_ = failure_of_daily(made);
+    backup_failure_ = failure_of_daily(made, settings_.backup_folder(database_));
     if (backup_failure_ && unread && shell_) shell_->show_outcome(Band::Kind::look, *backup_failure_, [] {});
   }
   next_backup_ = made ? QDateTime() : ports_.now().addSecs(kBackupRetryS);

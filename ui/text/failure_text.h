@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <filesystem>
 
 #include "engine/base/haptic_port.h"
 #include "engine/loop/realtime.h"
@@ -30,6 +31,8 @@ QString clock_question_text(const StorageFailure& doubt);
 enum class Secret : std::uint8_t { password, pin };
 /// Of signing in, of making an account and of changing one: names the account's number, never the database's file.
 Message describe_account(const StorageFailure& failure, const QString& number, Secret asked);
+/// Of making a backup in the folder: names that where storage means its own database.
+Message describe_backup_failure(const StorageFailure& failure, const std::filesystem::path& folder);
 Message describe(const FormatFailure& failure);
 Message describe(const ImportFailure& failure);
 /// Of a finding it names the place alone; the editor and the verbs have their own text of one.

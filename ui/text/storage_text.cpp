@@ -320,4 +320,22 @@ Message describe_account(const StorageFailure& f, const QString& number, Secret 
   }
 }
 
+Message describe_backup_failure(const StorageFailure& f, const std::filesystem::path& folder) {
+  const std::filesystem::path within = std::filesystem::path(f.where).lexically_relative(folder);
+  const bool of_folder = within == "." || (!within.empty() && within.begin()->string().starts_with("cusp-"));
+  if (!of_folder) return describe(f);
+  const QString where = quoted_place(folder.string());
+  switch (f.code) {
+    case StorageError::not_found:
+    case StorageError::read_only:
+    case StorageError::io:
+      return {Text::tr("The folder for backups cannot be written."),
+              Text::tr("%1: %2. Connect its drive, or choose another folder. The records are as they were.").arg(where, isolate(QString::fromLocal8Bit(f.detail.c_str())))};
+    case StorageError::disk_full:
+    case StorageError::quota_exceeded:
+      return {Text::tr("The drive for backups is full."), Text::tr("%1 has no room for a copy of the records. Free some space there, or choose another folder.").arg(where)};
+    default: return describe(f);
+  }
+}
+
 }  // namespace cusp::ui

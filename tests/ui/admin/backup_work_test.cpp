@@ -1,6 +1,7 @@
 // The daily backup in the background: when one is made, and that of several windows one makes it.
 #include <gtest/gtest.h>
 
+#include <QFile>
 #include <QTemporaryDir>
 #include <array>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/admin/backup_work.h"
+#include "ui/text/failure_text.h"
 
 namespace cusp::test {
 namespace {
@@ -79,6 +81,21 @@ TEST_F(DailyBackupWork, of_today_is_found_without_counting_a_page) {
   const auto progress = std::make_shared<WorkProgress>();
   ASSERT_TRUE(daily(progress));
   EXPECT_EQ(progress->all, 0u) << "the window that closes would wait for it";
+}
+
+TEST_F(DailyBackupWork, that_its_folder_does_not_take_is_refused_by_the_name_of_that_and_not_of_the_records) {
+  const QString blocks = folder.filePath(QStringLiteral("a file"));
+  ASSERT_TRUE(QFile(blocks).open(QIODevice::WriteOnly));
+  const std::filesystem::path blocked = (blocks + QStringLiteral("/backups")).toStdString();
+  const auto made = make_backup(records.store().context(), std::nullopt, blocked);
+  ASSERT_FALSE(made);
+  const Message message = describe_backup_failure(made.error(), blocked);
+  EXPECT_EQ(message.what.toStdString(), "The folder for backups cannot be written.");
+  EXPECT_TRUE(message.more.contains(blocks)) << message.more.toStdString();
+  for (const std::filesystem::path& where : {blocked, blocked / "cusp-2026-11-20T09-14-03Z" / "station.db"})
+    EXPECT_EQ(describe_backup_failure({StorageError::disk_full, where.string()}, blocked).what.toStdString(), "The drive for backups is full.");
+  const StorageFailure of_records{StorageError::read_only, records.file().string(), {}};
+  EXPECT_EQ(describe_backup_failure(of_records, records.file().parent_path()).line(), describe(of_records).line());
 }
 
 }  // namespace
