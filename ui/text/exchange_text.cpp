@@ -78,7 +78,11 @@ Message describe_exchange_failure(const StorageFailure& f, const QString& file) 
       return {Text::tr("A newer version of Cusp made this file."),
               Text::tr("Update Cusp on this station, then read %1 again. Nothing was changed.").arg(shown_file)};
     case StorageError::not_found:
+      if (f.detail == "folder") return {Text::tr("There is no such folder."), Text::tr("%1 was not written. Choose another place.").arg(shown_file)};
       return {Text::tr("This file is not there."), Text::tr("%1 was not found. Nothing was changed.").arg(shown_file)};
+    case StorageError::read_only:
+      if (f.where != file.toStdString()) return describe(f);
+      return {Text::tr("This file cannot be opened."), Text::tr("%1, its folder or its drive does not admit it. Nothing was changed.").arg(shown_file)};
     case StorageError::last_administrator:
       return {Text::tr("After this file nobody could administer this station."),
               Text::tr("It switches off the last administrator here. Make another one first; nothing was changed.")};
