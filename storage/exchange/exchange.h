@@ -41,6 +41,7 @@ struct ReadIn {
   Hash256 key{};
   ReadOutcome outcome = ReadOutcome::read;
   ExchangeCounts counts{};
+  std::uint64_t grown = 0;               // of counts.sessions: they were here before, with fewer rows
   std::uint64_t waiting = 0;             // statements about sessions that are not here yet
   std::vector<std::string> conflicts{};  // numbers of accounts changed both here and in the office, which won
   std::vector<SessionId> apart{};        // their chains here go on in another way than in the file: they stay as they are here

@@ -107,6 +107,7 @@ void add_session(Merge& merge, SessionId session, SessionRows rows) {
   merge.changed.insert(session);
   log_session(merge.context, merge.transaction, merge.actor.id, session, "read_in");
   ++merge.out.counts.sessions;
+  if (rows == SessionRows::further) ++merge.out.grown;
 }
 
 /// The rows of the recording, if the file has them all.

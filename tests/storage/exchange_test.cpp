@@ -142,9 +142,11 @@ TEST_F(ExchangeTest, a_session_that_grew_continues_and_an_older_copy_of_it_chang
   const fs::path ungraded = results();
   must(station->grades.save(session, small_grade(77), {}));
   const fs::path graded = results();
-  at_office(ungraded);
+  EXPECT_EQ(at_office(ungraded).grown, 0u);
   EXPECT_EQ(must(office->sessions.state(session)), SessionState::finished);
-  EXPECT_EQ(at_office(graded).counts.sessions, 1u);
+  const ReadIn read = at_office(graded);
+  EXPECT_EQ(read.counts.sessions, 1u);
+  EXPECT_EQ(read.grown, 1u);
   EXPECT_EQ(must(office->history.details(chief, session)).row.score, 77);
   EXPECT_TRUE(at_office(ungraded).counts.none());
   EXPECT_EQ(must(office->sessions.state(session)), SessionState::graded);

@@ -46,7 +46,10 @@ QString outcome_text(ReadOutcome outcome) {
 }
 
 QStringList read_in_text(const ReadIn& read) {
-  QStringList out{Text::tr("New here: %1.").arg(counts_text(read.counts))};
+  ExchangeCounts fresh = read.counts;
+  fresh.sessions -= read.grown;
+  QStringList out{Text::tr("New here: %1.").arg(counts_text(fresh))};
+  if (read.grown > 0) out += Text::tr("%n attempt(s) that were here have gone on.", nullptr, shown(read.grown));
   if (read.waiting > 0) {
     out += Text::tr("%n statement(s) wait for their attempt; read the file again after that of the other station.", nullptr, shown(read.waiting));
   }

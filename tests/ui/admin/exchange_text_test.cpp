@@ -1,4 +1,4 @@
-// What a file between stations is refused with where its place takes none.
+// What is shown of a file between stations that was read, and why one is refused where its place takes none.
 #include <gtest/gtest.h>
 
 #include "tests/modules.h"
@@ -20,6 +20,16 @@ TEST(ExchangeFailures, OfAPlaceAreNoneOfTheRecords) {
 TEST(ExchangeFailures, OfTheRecordsNameThese) {
   const StorageFailure of_records{StorageError::read_only, "/home/station.db", {}};
   EXPECT_EQ(describe_exchange_failure(of_records, kFile).line(), describe(of_records).line());
+}
+
+TEST(ReadInText, CallsAnAttemptThatWasHereNotNew) {
+  ReadIn read;
+  read.counts.sessions = 3;
+  read.grown = 1;
+  const QStringList texts = read_in_text(read);
+  ASSERT_EQ(texts.size(), 2);
+  EXPECT_EQ(texts[0].toStdString(), "New here: 2 attempts.");
+  EXPECT_TRUE(texts[1].contains(QStringLiteral("gone on"))) << texts[1].toStdString();
 }
 
 }  // namespace
