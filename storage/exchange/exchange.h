@@ -44,12 +44,13 @@ struct ReadIn {
   std::uint64_t grown = 0;               // of counts.sessions: they were here before, with fewer rows
   std::uint64_t waiting = 0;             // statements about sessions that are not here yet
   std::vector<std::string> conflicts{};  // numbers of accounts changed both here and in the office, which won
+  std::vector<std::string> gave_way{};   // numbers that students' accounts of this station gave to the office's of the same names
   std::vector<SessionId> apart{};        // their chains here go on in another way than in the file: they stay as they are here
 };
 
 /// Reads a file whole, or changes nothing. Needs manage_station. Failures: not_exchange, cut_short, older_schema, newer_schema,
 /// unknown_key, revoked_key, put_back, differs; not_allowed (where = own_file, office_file: what only the office's file may bring);
-/// duplicate (where = number that somebody else has here); last_administrator; stopped.
+/// duplicate (where = number that somebody of another name has here); last_administrator; stopped.
 Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::filesystem::path& file, const WorkWatch& watch = {});
 
 /// What a file is, before it is read.

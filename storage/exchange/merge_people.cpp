@@ -2,6 +2,7 @@
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
 #include "storage/repositories/erasure.h"
+#include "storage/repositories/possible_doubles.h"
 
 namespace cusp::storage {
 namespace {
@@ -17,18 +18,28 @@ Stored<std::vector<PersonInFile>> people_in(Database& db) {
 
 bool erased_number(const PersonInFile& person) { return person.number == "erased " + person.id.text(); }
 
-/// An account that is known by name alone gives way to one that has the number.
+struct NumberHolder {
+  UserId id{};
+  bool referred = false, same_student = false;
+};
+
+/// Of the account's number here, other than the account itself. Two students of one name and number are one person, whom both stations made.
+std::optional<NumberHolder> holder_of_number(Merge& merge, const PersonInFile& person) {
+  return merge.transaction.first(
+      "SELECT p.id, p.id IN (SELECT id FROM main.referred WHERE here = 0), p.role = 'student' AND s.role = 'student', p.name, s.name "
+      "FROM main.people p JOIN source.people s ON s.id = ?2 WHERE p.number = ?1 AND p.id <> ?2",
+      [](Row row) { return NumberHolder{row.id<UserId>(0), row.flag(1), row.flag(2) && agreeing_name(row.text(3)) == agreeing_name(row.text(4))}; },
+      person.number, person.id);
+}
+
+/// An account that is known by name alone, or that this station made for the same student, gives way to the office's.
 void free_number(Merge& merge, const PersonInFile& person) {
-  const auto holder = merge.transaction.first(
-      "SELECT p.id FROM people p JOIN referred r ON r.id = p.id AND r.here = 0 WHERE p.number = ?1 AND p.id <> ?2",
-      [](Row row) { return row.id<UserId>(0); }, person.number, person.id);
-  if (!holder) {
-    const auto taken = merge.transaction.first("SELECT 1 FROM people WHERE number = ?1 AND id <> ?2", [](Row) { return true; }, person.number, person.id);
-    if (taken) merge.refuse(StorageError::duplicate, person.number, "number");
-    return;
-  }
-  merge.transaction.run("UPDATE people SET number = number || ' ' || substr(hex(id), 25) WHERE id = ?1", *holder);
-  log_account(merge.context, merge.transaction, merge.actor.id, "person_sealed", *holder);
+  const auto holder = holder_of_number(merge, person);
+  if (!holder) return;
+  if (!holder->referred && !holder->same_student) return merge.refuse(StorageError::duplicate, person.number, "number");
+  merge.transaction.run("UPDATE people SET number = number || ' ' || substr(hex(id), 25) WHERE id = ?1", holder->id);
+  log_account(merge.context, merge.transaction, merge.actor.id, holder->referred ? "person_sealed" : "account_renamed", holder->id);
+  if (!holder->referred) merge.out.gave_way.push_back(person.number);
 }
 
 void add_referred_person(Merge& merge, const PersonInFile& person) {

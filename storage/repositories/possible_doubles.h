@@ -1,7 +1,7 @@
 /// Accounts that may be of one person. Nothing is merged, for attempts are chained to their account; who renames either account states that
 /// these are two people. Named are
-/// - an account whose number was taken when it came in a file, so that it got the end of its id (exchange/merge_people.cpp), and the account
-///   that has the number;
+/// - an account whose number was taken when it came in a file, or that gave it to one of a file, so that it has the end of its id
+///   (exchange/merge_people.cpp), and the account that has the number;
 /// - a student of the same name as one whom this station knows by reference alone: the other station typed another number;
 /// - two students of one name whose accounts were made here or arrived whole, if no third has the name, both are switched on, and no cohort
 ///   holds both: a list of a year names nobody twice.

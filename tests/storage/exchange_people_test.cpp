@@ -60,6 +60,30 @@ TEST_F(ExchangePeopleTest, that_two_stations_made_for_one_name_under_two_numbers
   EXPECT_TRUE(must(possible_doubles(office->context(), chief)).empty());
 }
 
+TEST_F(ExchangePeopleTest, whom_the_station_made_under_the_same_number_and_name_gives_the_number_to_the_office_and_keeps_the_attempts) {
+  const Account own = must(station->accounts.create(keeper, {.number = "1001", .name = "BRANDT, Lena", .pin = "271828"}));
+  const SessionId session = attempt(own);
+  EXPECT_EQ(carry_over().gave_way, std::vector<std::string>{"1001"});
+  EXPECT_EQ(must(station->accounts.sign_in_with_pin("1001", "314159")).id, lena.id);
+  EXPECT_TRUE(at_station(own).number.starts_with("1001 ")) << at_station(own).number;
+  EXPECT_EQ(must(station->history.list(own.actor())).size(), 1u);
+  EXPECT_TRUE(must(verify_session(station->context(), session)).intact());
+  const auto doubles = must(possible_doubles(station->context(), keeper));
+  ASSERT_EQ(doubles.size(), 1u);
+  EXPECT_EQ(doubles[0].account.id, lena.id);
+  EXPECT_EQ(doubles[0].other.id, own.id);
+  EXPECT_TRUE(carry_over().gave_way.empty());
+  expect_whole();
+}
+
+TEST_F(ExchangePeopleTest, staff_of_the_same_number_and_name_give_way_to_nobody) {
+  must(office->accounts.create(chief, {.number = "berg", .name = "Dr Berg", .role = Role::instructor, .password = "correct horse"}));
+  must(station->accounts.create(keeper, {.number = "berg", .name = "Dr Berg", .role = Role::instructor, .password = "battery staple"}));
+  const fs::path file = next_file();
+  must(give_out(office->context(), chief, ExchangeKind::office, file));
+  EXPECT_EQ(code_of(read_in(station->context(), keeper, file)), StorageError::duplicate) << "rights would change hands";
+}
+
 TEST_F(ExchangePeopleTest, who_was_erased_is_nobodys_possible_double) {
   must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
   const Account own = must(station->accounts.create(keeper, {.number = "77", .name = "Lena Brandt"}));

@@ -146,7 +146,7 @@ void ExchangePage::show_read_in(const Stored<ReadIn>& read) {
   if (!read) return show_failure({}, describe_exchange_failure(read.error(), file_));
   read_stations();
   table_->choose_row(model_->row_of(read->key));
-  const bool all_well = read->outcome != ReadOutcome::late && read->conflicts.empty() && read->apart.empty() && read->waiting == 0;
+  const bool all_well = read->outcome != ReadOutcome::late && read->conflicts.empty() && read->gave_way.empty() && read->apart.empty() && read->waiting == 0;
   QStringList more = read_in_text(*read);
   if (read->outcome == ReadOutcome::late) more += tr("For what has changed since, ask that station for a new file.");
   band_->show_message(all_well ? Band::Kind::good : Band::Kind::look, outcome_text(read->outcome), more.join(u' '));

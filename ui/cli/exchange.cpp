@@ -151,6 +151,7 @@ int read_file(const ExchangeOptions& o) {
   json["outcome"] = std::string(key_of(read->outcome));
   json["waiting"] = read->waiting;
   json["conflicts"] = read->conflicts;
+  json["gave_way"] = read->gave_way;
   json["apart"] = ordered_json::array();
   for (const SessionId& session : read->apart) json["apart"].push_back(session.text());
   if (!o.json.write(json)) return kFailed;

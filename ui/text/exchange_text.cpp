@@ -56,6 +56,9 @@ QStringList read_in_text(const ReadIn& read) {
   if (!read.apart.empty()) {
     out += Text::tr("%n attempt(s) went on from an old copy at the station, and stay here as they were.", nullptr, shown(read.apart.size()));
   }
+  if (!read.gave_way.empty()) {
+    out += Text::tr("%n account(s) made here gave the number to the office’s account of the same name; People shows both.", nullptr, shown(read.gave_way.size()));
+  }
   for (const std::string& number : read.conflicts) {
     out += Text::tr("%1 was changed here too; the office’s account counts.").arg(isolate(text(number)));
   }

@@ -22,6 +22,15 @@ TEST(ExchangeFailures, OfTheRecordsNameThese) {
   EXPECT_EQ(describe_exchange_failure(of_records, kFile).line(), describe(of_records).line());
 }
 
+TEST(ReadInText, NamesHowManyAccountsGaveWay) {
+  ReadIn read;
+  EXPECT_EQ(read_in_text(read).size(), 1);
+  read.gave_way = {"1001", "1002"};
+  const QStringList texts = read_in_text(read);
+  ASSERT_EQ(texts.size(), 2);
+  EXPECT_TRUE(texts[1].startsWith(u'2')) << texts[1].toStdString();
+}
+
 TEST(ReadInText, CallsAnAttemptThatWasHereNotNew) {
   ReadIn read;
   read.counts.sessions = 3;
