@@ -65,7 +65,9 @@ std::optional<Message> describe_file(const StorageFailure& f) {
                   Text::tr("Nothing of the last step was written to %1; all before it is kept.").arg(with_reason(f))};
     case StorageError::busy:
       return Message{Text::tr("Another program holds the database."),
-                  Text::tr("%1 stayed as it was. Close the other program and try again.").arg(where)};
+                  Text::tr("%1 stayed as it was. Another window of Cusp holds it while it reads in a file of another station"
+                           ": wait until that is done, or close the other program, and try again.")
+                      .arg(where)};
     case StorageError::corrupt:
       if (f.detail == "sessions") {
         return Message{Text::tr("The backup is damaged."),

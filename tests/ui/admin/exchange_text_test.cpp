@@ -22,6 +22,11 @@ TEST(ExchangeFailures, OfTheRecordsNameThese) {
   EXPECT_EQ(describe_exchange_failure(of_records, kFile).line(), describe(of_records).line());
 }
 
+TEST(ExchangeFailures, OfRecordsThatAreHeldNameAWindowThatReadsAFileIn) {
+  const QString more = describe(StorageFailure{StorageError::busy, "/home/station.db"}).more;
+  EXPECT_TRUE(more.contains(QStringLiteral("reads in a file of another station"))) << more.toStdString();
+}
+
 TEST(ReadInText, NamesHowManyAccountsGaveWay) {
   ReadIn read;
   EXPECT_EQ(read_in_text(read).size(), 1);
