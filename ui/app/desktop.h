@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "storage/store.h"
-#include "ui/app/idle_watch.h"
 #include "ui/modules.h"
 #include "ui/session/background_task.h"
 #include "ui/session/replay.h"
@@ -22,6 +21,7 @@
 #include "ui/student/assessments.h"
 #include "ui/student/exercises.h"
 #include "ui/text/failure_text.h"
+#include "ui/widgets/idle_watch.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/ports.h"
 

@@ -9,7 +9,7 @@
 #include <chrono>
 
 #include "tests/modules.h"
-#include "ui/app/idle_watch.h"
+#include "ui/widgets/idle_watch.h"
 
 namespace cusp::test {
 namespace {
@@ -59,6 +59,20 @@ TEST(IdleWatch, counts_input_that_is_no_event_of_the_window) {
   EXPECT_EQ(field.text(), QStringLiteral("a"));
   now += std::chrono::minutes(20);
   EXPECT_FALSE(watch.count_input()) << "too late";
+}
+
+TEST(IdleWatch, knows_without_a_limit_how_long_nobody_acted_and_keeps_no_input_back) {
+  std::chrono::milliseconds now{0};
+  IdleWatch watch([&now] { return now; });
+  QLineEdit field;
+  now += std::chrono::hours(8);
+  QTest::keyClick(&field, Qt::Key_A);
+  EXPECT_EQ(field.text(), QStringLiteral("a"));
+  EXPECT_EQ(watch.idle_for().count(), 0);
+  now += std::chrono::minutes(3);
+  EXPECT_EQ(watch.idle_for(), std::chrono::minutes(3));
+  EXPECT_TRUE(watch.count_input());
+  EXPECT_EQ(watch.idle_for().count(), 0);
 }
 
 }  // namespace

@@ -21,6 +21,8 @@ class IdleWatch : public QObject {
   void set_limit(std::chrono::milliseconds limit);
   /// Of a device whose motion is no event of the window. False: it came after the limit, and idle() follows.
   bool count_input();
+  /// Time since the last input; before the first one without meaning.
+  std::chrono::milliseconds idle_for() const { return clock_() - last_input_; }
 
  Q_SIGNALS:
   /// Once; again after the next input and the same time without any.

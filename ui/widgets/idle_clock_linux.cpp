@@ -1,6 +1,6 @@
 #include <ctime>
 
-#include "ui/app/idle_watch.h"
+#include "ui/widgets/idle_watch.h"
 
 namespace cusp::ui {
 

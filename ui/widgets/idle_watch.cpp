@@ -1,4 +1,4 @@
-#include "ui/app/idle_watch.h"
+#include "ui/widgets/idle_watch.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -55,7 +55,6 @@ void IdleWatch::look() {
 }
 
 bool IdleWatch::count_input() {
-  if (limit_.count() <= 0) return true;
   if (timer_.isActive() && clock_() - last_input_ >= limit_) {
     timer_.start(0);  // not from here: who is signed out may take the receiver of the event along
     return false;
