@@ -94,6 +94,7 @@ DrillScreen* Desktop::open_drilling(const SessionPlan& plan, const DrillText& te
   });
   push(screen);
   for (SpaceMouseTurner* turner : screen->findChildren<SpaceMouseTurner*>()) {
+    connect(turner, &SpaceMouseTurner::moved, screen, &DrillScreen::count_input);
     connect(turner, &SpaceMouseTurner::mirror_asked, screen, [screen] {
       QKeyEvent mirror(QEvent::KeyPress, Qt::Key_2, Qt::NoModifier);  // so that the tool bar shows it too
       QApplication::sendEvent(screen, &mirror);

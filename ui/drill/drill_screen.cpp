@@ -297,6 +297,7 @@ void DrillScreen::tooth_shown() {
   in.working = false;
   in.busy->finish();
   enable_controls(true);
+  in.hand.count_input();
   in.look_timer.start();
   setFocus();
   if (in.stage->undrawn()) stop_undrawn();
@@ -338,8 +339,7 @@ void DrillScreen::look() {
   const bool stopped = in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held;
   if (in.input) in.input->set_enabled(!stopped && !in.asked);
   in.bar->set_stopped(stopped);
-  if (stopped) in.awake.reset();
-  else if (!in.awake && in.ports.keep_awake) in.awake = in.ports.keep_awake(tr("An attempt is running"));
+  keep_awake();
   in.bar->enable_pause(!in.live.silent && !in.stage->undrawn());
   // Inputs could not be kept: the attempt is graded as it stands.
   if (in.live.end == LoopEnd::ring_full) finish_now();

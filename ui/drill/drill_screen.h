@@ -39,6 +39,8 @@ class DrillScreen : public QWidget {
   /// As ask_leave(), and calls `then` after left(). Not if the user stays, if the attempt is finished meanwhile, or while it is graded.
   /// Pre: running().
   void ask_leave_then(std::function<void()> then);
+  /// Input that is no event of the window and leads no bur: a SpaceMouse turns the tooth.
+  void count_input();
   class ToothView* view() const;
   /// Where the drilling sound's volume and mute are kept, and whether the handpiece is drawn and in which hand; outlives the screen. Without: the usual
   /// ones, not kept.
@@ -83,6 +85,7 @@ class DrillScreen : public QWidget {
   void hold_for_question();
   void answered_no();
   void hold_while_minimised();
+  void keep_awake();
   void leave_now();
   void abandoned(const std::optional<SessionId>& unmarked);
   void finish_now();

@@ -2,6 +2,7 @@
 
 #include <QLocale>
 #include <QPointer>
+#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -9,6 +10,12 @@
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
+namespace {
+
+// As long as desktops wait for mouse and keys before they blank the screen.
+constexpr std::chrono::minutes kUnattended{5};
+
+}  // namespace
 
 /// Takes cut and force off the bur while the question is open. A pause would stop an assessment's clock.
 void DrillScreen::hold_for_question() {
@@ -41,6 +48,18 @@ void DrillScreen::hold_while_minimised() {
   } else if (minimised && !stands_still(in.live)) {
     in.attempt->session->pause();
   }
+}
+
+void DrillScreen::count_input() { inner_->hand.count_input(); }
+
+/// An attempt that nobody attends lets the desktop blank and lock. It runs on: its clock, its record and an assessment's time limit.
+void DrillScreen::keep_awake() {
+  Inner& in = *inner_;
+  if (in.motion.moved(in.live.output.device_mm, in.live.orientation)) count_input();
+  const bool attended = in.hand.idle_for() < kUnattended;
+  const bool stopped = in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held;
+  if (stopped || !attended) in.awake.reset();
+  else if (!in.awake && in.ports.keep_awake) in.awake = in.ports.keep_awake(tr("An attempt is running"));
 }
 
 void DrillScreen::ask_finish() {

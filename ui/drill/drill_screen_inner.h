@@ -12,6 +12,7 @@
 #include "ui/drill/drill_bar.h"
 #include "ui/drill/drill_screen.h"
 #include "ui/drill/drill_stage.h"
+#include "ui/drill/hand_motion.h"
 #include "ui/drill/handpiece_panel.h"
 #include "ui/drill/homing_card.h"
 #include "ui/drill/pointer_input.h"
@@ -19,6 +20,7 @@
 #include "ui/view/frame_stats.h"
 #include "ui/view/tooth_view.h"
 #include "ui/widgets/busy.h"
+#include "ui/widgets/idle_watch.h"
 
 namespace cusp::ui {
 
@@ -47,7 +49,9 @@ struct DrillScreen::Inner {
   FrameStats stats;
   LiveView live;
   int looks = 0;
-  std::shared_ptr<void> awake;  // Ports::keep_awake, while the attempt runs
+  IdleWatch hand{[this] { return ports.since_boot ? ports.since_boot() : time_since_boot(); }};  // mouse, keys and device
+  HandMotion motion;
+  std::shared_ptr<void> awake;  // Ports::keep_awake, while the attempt runs and somebody attends it
   std::function<void()> after_leaving;  // of ask_leave_then(); empty: nothing
   bool working = false, over = false;
   bool asked = false;   // Finish's or Leave's question is open

@@ -27,6 +27,7 @@ inline constexpr int kShownWithinMs = 500;  // five looks between two of which t
 struct Hand {
   std::atomic<bool> plugged{true};
   std::atomic<bool> pressed{true};  // its button
+  std::atomic<double> aside_mm{0};  // where it holds the bur beside the middle
   std::atomic<bool> stuck{false};  // its driver does not come back
   std::atomic<bool> open{false};
   std::shared_ptr<Gate> opens{};   // its driver comes back from open() when this gate opens; null: at once
@@ -48,10 +49,10 @@ class SinkingPort final : public HapticPort {
     ++hand_->ticks;
     hand_->stuck.wait(true);
     if (!hand_->plugged) return {};
-    depth_mm_ = std::min(depth_mm_ + 0.001, 6.0);
+    depth_mm_ = std::min(depth_mm_ + 0.001, kMostMm);
     const bool pressed = hand_->pressed;
     return {.status = Sample::Status::fresh,
-            .position_mm = {0, 0, kStartMm - depth_mm_},
+            .position_mm = {hand_->aside_mm, 0, kStartMm - depth_mm_},
             .buttons = static_cast<std::uint16_t>(pressed ? 1 : 0),
             .pedal = static_cast<std::uint16_t>(pressed ? 65535 : 0)};
   }
@@ -66,7 +67,7 @@ class SinkingPort final : public HapticPort {
   void close() noexcept override { hand_->open = false; }
 
  private:
-  static constexpr double kStartMm = 1.5;  // pivot of the bur; the block's top lies at 0
+  static constexpr double kStartMm = 1.5, kMostMm = 6.0;  // pivot of the bur; the block's top lies at 0
   std::shared_ptr<Hand> hand_;
   double depth_mm_ = 0;
 };
@@ -138,6 +139,11 @@ class DrillEnd : public testing::Test {
     for (QPushButton* one : in.findChildren<QPushButton*>())
       if (one->isVisible() && one->accessibleName() == QLatin1String(name)) return one;
     return nullptr;
+  }
+  /// The device has sunk as deep as it goes, and the screen has looked.
+  void let_it_come_to_rest() {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return hand->ticks > 6'000; }, kComesWithinMs));
+    let_it_run();
   }
   QString clock() const {
     for (const QLabel* label : screen->findChildren<QLabel*>())

@@ -3,6 +3,7 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <chrono>
 
 #include "storage/sqlite/database.h"
 #include "tests/refused_rows.h"
@@ -149,6 +150,42 @@ TEST_F(DrillEnd, the_desktop_is_kept_awake_while_the_attempt_runs_and_no_longer)
   screen->ask_leave();
   answer(true);
   EXPECT_TRUE(awake.expired());
+}
+
+TEST_F(DrillEnd, an_attempt_that_nobody_attends_lets_the_desktop_sleep_and_runs_on) {
+  std::weak_ptr<void> awake;
+  std::chrono::milliseconds now{0};
+  ports.keep_awake = [&awake](const QString&) {
+    const auto held = std::make_shared<int>(0);
+    awake = held;
+    return held;
+  };
+  ports.since_boot = [&now] { return now; };
+  screen = std::make_unique<DrillScreen>(ports);
+  screen->resize(1280, 800);
+  screen->show();
+  screen->activateWindow();
+  begin(plan());
+  let_it_come_to_rest();
+  now += std::chrono::minutes(4);
+  let_it_run();
+  EXPECT_FALSE(awake.expired()) << "somebody looks at the tooth";
+  now += std::chrono::minutes(2);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return awake.expired(); }, kComesWithinMs));
+  const QString before = clock();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return clock() != before; }, kComesWithinMs));
+  EXPECT_FALSE(card().isVisible());
+  QTest::keyClick(screen.get(), Qt::Key_6);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !awake.expired(); }, kComesWithinMs)) << "a key";
+  now += std::chrono::minutes(6);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return awake.expired(); }, kComesWithinMs));
+  hand->aside_mm = 1.0;
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !awake.expired(); }, kComesWithinMs)) << "the device";
+  now += std::chrono::minutes(6);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return awake.expired(); }, kComesWithinMs));
+  screen->count_input();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !awake.expired(); }, kComesWithinMs)) << "what turns the tooth";
+  screen.reset();  // before its clock
 }
 
 TEST_F(DrillEnd, an_attempt_begins_while_work_that_was_left_goes_on) {
