@@ -17,6 +17,7 @@ bool is_input(QEvent::Type type) {
     case QEvent::MouseButtonRelease:
     case QEvent::Wheel:
     case QEvent::KeyPress:
+    case QEvent::ShortcutOverride:  // a shortcut's key comes as no other press
     case QEvent::TabletMove:
     case QEvent::TabletPress:
     case QEvent::TouchBegin:
@@ -64,7 +65,9 @@ bool IdleWatch::count_input() {
 }
 
 bool IdleWatch::eventFilter(QObject* watched, QEvent* event) {
-  return (is_input(event->type()) && !count_input()) || QObject::eventFilter(watched, event);
+  if (!is_input(event->type()) || count_input()) return QObject::eventFilter(watched, event);
+  event->accept();  // a shortcut that nobody overrides would act
+  return true;
 }
 
 }  // namespace cusp::ui

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QLineEdit>
+#include <QShortcut>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWidget>
@@ -59,6 +60,25 @@ TEST(IdleWatch, counts_input_that_is_no_event_of_the_window) {
   EXPECT_EQ(field.text(), QStringLiteral("a"));
   now += std::chrono::minutes(20);
   EXPECT_FALSE(watch.count_input()) << "too late";
+}
+
+TEST(IdleWatch, counts_the_key_of_a_shortcut_and_lets_none_act_that_came_too_late) {
+  std::chrono::milliseconds now{0};
+  IdleWatch watch([&now] { return now; });
+  watch.set_limit(std::chrono::minutes(20));
+  QWidget window;
+  QShortcut shortcut(QKeySequence(Qt::Key_P), &window);
+  QSignalSpy acted(&shortcut, &QShortcut::activated);
+  window.show();
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+  now += std::chrono::minutes(19);
+  QTest::keyPress(&window, Qt::Key_P);
+  EXPECT_EQ(acted.count(), 1);
+  EXPECT_EQ(watch.idle_for().count(), 0);
+  now += std::chrono::minutes(21);
+  QTest::keyPress(&window, Qt::Key_P);
+  EXPECT_EQ(acted.count(), 1);
 }
 
 TEST(IdleWatch, knows_without_a_limit_how_long_nobody_acted_and_keeps_no_input_back) {
