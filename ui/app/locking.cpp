@@ -212,7 +212,7 @@ void Desktop::leave_page(std::function<void()> then) {
 void Desktop::closeEvent(QCloseEvent* event) {
   // A shutdown of the computer does not wait for an answer.
   for (DrillScreen* screen : ended_by_signal() ? QList<DrillScreen*>() : findChildren<DrillScreen*>()) {
-    if (!screen->running()) continue;
+    if (!screen->running() && !screen->working()) continue;
     screen->ask_leave_then([this] { close(); });
     return event->ignore();
   }

@@ -157,7 +157,7 @@ void DrillScreen::show_progress() {
 void DrillScreen::show_opening() {
   Inner& in = *inner_;
   if (!in.opening) return;
-  if (in.opening->called_off()) in.opening->call_off();
+  if (in.opening->called_off()) return in.opening->call_off();
   show_progress();
   FalconPort* falcon = in.opening->falcon();
   if (falcon == nullptr) return;
@@ -185,6 +185,7 @@ void DrillScreen::keep_settings_in(Settings* settings) {
   connect(inner_->stage, &DrillStage::handpiece_switched, this, [settings](bool shown) { settings->set_handpiece_shown(shown); });
 }
 bool DrillScreen::running() const { return inner_->attempt && inner_->attempt->session && !inner_->over; }
+bool DrillScreen::working() const { return inner_->working; }
 ToothView* DrillScreen::view() const { return inner_->stage->view(); }
 
 void DrillScreen::enable_controls(bool on) {
@@ -223,22 +224,16 @@ void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optio
   in.homing->hide();
   const bool called_off = in.opening && in.opening->called_off();
   in.opening.reset();
-  if (failure || called_off) {
+  if (failure) {
     in.working = false;
     in.busy->finish();
     in.over = true;
-    if (!failure) {
-      if (!opened->session->abandon()) Q_EMIT left_unmarked(opened->session->session());
-      opened->session.reset();
-    }
-    if (called_off) {
-      Q_EMIT left();
-    } else {
-      Q_EMIT failed(*failure);
-    }
+    if (called_off) return report_left();
+    Q_EMIT failed(*failure);
     return;
   }
   in.attempt = std::move(opened);
+  if (called_off) return leave_now();  // it had just started
   OpenedAttempt& attempt = *in.attempt;
   const Scenario& scenario = attempt.session->scenario();
   const bool is_tooth = !scenario.specimen.generator.ends_with("block");

@@ -36,8 +36,10 @@ class DrillScreen : public QWidget {
   /// device that was chosen. Pre: no attempt is running.
   void begin(SessionPlan plan, const DrillText& text, std::unique_ptr<HapticPort> port = nullptr);
   bool running() const;
-  /// As ask_leave(), and calls `then` after left(). Not if the user stays, if the attempt is finished meanwhile, or while it is graded.
-  /// Pre: running().
+  /// Whether the attempt is being opened, measured or left.
+  bool working() const;
+  /// As ask_leave(), and calls `then` after left(). Work that goes on is called off, or shown: `then` follows left() or finished(). It is
+  /// not called if the user stays, or if the record refuses the end of the attempt. Pre: running() or working().
   void ask_leave_then(std::function<void()> then);
   /// Input that is no event of the window and leads no bur: a SpaceMouse turns the tooth.
   void count_input();
@@ -87,6 +89,8 @@ class DrillScreen : public QWidget {
   void hold_while_minimised();
   void keep_awake();
   void leave_now();
+  void leave_after_work(std::function<void()> then);
+  void report_left();
   void abandoned(const std::optional<SessionId>& unmarked);
   void finish_now();
   void graded(const std::shared_ptr<Outcome<SessionResult>>& result);

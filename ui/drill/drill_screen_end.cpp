@@ -116,6 +116,7 @@ void DrillScreen::graded(const std::shared_ptr<Outcome<SessionResult>>& result) 
   in.working = false;
   in.busy->finish();
   in.bar->enable_leave(true);
+  const auto then = std::exchange(in.after_leaving, nullptr);
   if (!*result && result->error().code == SessionError::recording_failed) {
     // The record may become writable again: nothing is lost while this screen stands.
     const SessionFailure& f = result->error();
@@ -129,6 +130,7 @@ void DrillScreen::graded(const std::shared_ptr<Outcome<SessionResult>>& result) 
   in.attempt->session.reset();
   if (*result) {
     Q_EMIT finished(std::make_shared<const SessionResult>(std::move(**result)));
+    if (then) then();
   } else {
     Q_EMIT failed(result->error());
   }
@@ -162,17 +164,39 @@ void DrillScreen::abandoned(const std::optional<SessionId>& unmarked) {
   in.busy->finish();
   in.attempt->session.reset();
   if (unmarked) Q_EMIT left_unmarked(*unmarked);
-  const auto then = std::exchange(in.after_leaving, nullptr);
+  report_left();
+}
+
+void DrillScreen::report_left() {
+  const auto then = std::exchange(inner_->after_leaving, nullptr);
   Q_EMIT left();
   if (then) then();
 }
 
 void DrillScreen::ask_leave() { ask_leave_then({}); }
 
+/// The opening is called off, and a leaving shows itself. A measuring goes on, for whoever closes the window with what is waited for.
+void DrillScreen::leave_after_work(std::function<void()> then) {
+  Inner& in = *inner_;
+  const bool closes = then != nullptr;
+  if (closes) in.after_leaving = std::move(then);
+  QString doing;
+  if (in.opening && !in.opening->called_off()) {
+    in.opening->call_off();
+    in.homing->hide();
+    doing = tr("Leaving the attempt");
+  } else if (closes && running()) {
+    in.stage->show_stopped(DrillStage::Stop::none);
+    doing = tr("Cusp closes once the tooth is measured");
+  }
+  if (doing.isEmpty()) return;
+  in.busy->start(doing, Busy::Cancel::none);
+  announce(this, doing);
+}
+
 void DrillScreen::ask_leave_then(std::function<void()> then) {
   Inner& in = *inner_;
-  if (in.opening) in.opening->call_off();
-  if (in.working && !in.unseen) return;
+  if (in.working && !in.unseen) return leave_after_work(std::move(then));
   if (!running()) {
     Q_EMIT left();
     return;
@@ -182,7 +206,10 @@ void DrillScreen::ask_leave_then(std::function<void()> then) {
     Inner& inner = *self->inner_;
     inner.stage->set_asking(false);
     inner.asked = false;
-    if (inner.working && !inner.unseen) return;  // the time limit has finished it meanwhile
+    if (inner.working && !inner.unseen) {  // the time limit has finished it meanwhile
+      if (yes) self->leave_after_work(then);
+      return;
+    }
     if (!yes) return self->answered_no();
     inner.after_leaving = then;
     self->leave_now();

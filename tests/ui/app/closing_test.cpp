@@ -9,8 +9,10 @@
 #include "tests/ui/app/asking_desktop.h"
 #include "ui/admin/station_page.h"
 #include "ui/app/shell.h"
+#include "ui/drill/drill_screen.h"
 #include "ui/report/marking_card.h"
 #include "ui/signin/sign_in.h"
+#include "ui/widgets/busy.h"
 #include "ui/widgets/number_field.h"
 
 namespace cusp::test {
@@ -58,6 +60,23 @@ TEST_F(Closing, asks_over_work_whose_outcome_would_be_shown_nowhere) {
   desktop->close();
   EXPECT_EQ(asked.size(), 1) << "its outcome was shown";
   EXPECT_FALSE(desktop->isVisible());
+}
+
+TEST_F(Closing, calls_off_an_attempt_that_is_being_opened_and_shows_that) {
+  show();
+  desktop->start();
+  Exercise exercise;
+  exercise.scenario = *load_builtin("class-1-36");
+  exercise.scenario.specimen.voxel_mm = 0.08;  // grown in some ten seconds
+  desktop->drill(exercise);
+  const auto* screen = qobject_cast<DrillScreen*>(desktop->page());
+  ASSERT_NE(screen, nullptr);
+  ASSERT_FALSE(screen->running());
+  EXPECT_FALSE(desktop->close());
+  EXPECT_TRUE(desktop->isVisible());
+  EXPECT_EQ(screen->findChild<Busy*>()->accessibleName(), QStringLiteral("Leaving the attempt"));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return !desktop->isVisible(); }, kClosingMs));
+  EXPECT_TRUE(asked.isEmpty());
 }
 
 }  // namespace
