@@ -16,11 +16,11 @@ class DrillSound : public QObject {
   explicit DrillSound(QObject* parent = nullptr);
   ~DrillSound() override;
 
-  /// Looks for an output and opens it; false where there is none. Until then nothing is asked of the system.
-  bool start();
+  /// Looks for an output and opens it; false where there is none. Until then nothing is asked of the system. Virtual for tests.
+  virtual bool start();
   void stop();
   /// False before start(), and where there is nothing to hear it with.
-  bool available() const;
+  virtual bool available() const;
 
   /// The newest of the loop, at frame rate; it sounds until the next.
   void follow(const DrillHeard& heard);

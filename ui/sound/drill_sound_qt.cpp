@@ -48,7 +48,7 @@ bool DrillSound::start() {
   }, Qt::QueuedConnection);
   inner_->sink->start(inner_->source.get());
   if (inner_->sink->error() != QAudio::NoError) stop();
-  return available();
+  return inner_->sink != nullptr;
 }
 
 void DrillSound::stop() {
