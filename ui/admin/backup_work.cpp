@@ -77,13 +77,15 @@ BackgroundTask go_back(std::filesystem::path database, Backup backup, std::funct
 
 BackgroundTask back_up(RecordsBeside records, std::filesystem::path into, std::optional<Actor> actor,
                        std::function<void(Stored<BackedUp>)> then, std::shared_ptr<WorkProgress> progress) {
+  const auto holds = actor ? BackgroundTask::Holds::change : BackgroundTask::Holds::nothing;  // the next start makes the daily one
   return BackgroundTask([records = std::move(records), into = std::move(into), actor, then = std::move(then), watch = watch_of(std::move(progress))] {
     then(actor ? back_up_on_demand(records, into, *actor, watch) : back_up_daily(records, into, watch));
-  });
+  }, holds);
 }
 
 BackgroundTask find_backups(std::filesystem::path into, std::optional<Uuid> station, int asked, std::function<void(FoundBackups)> then) {
-  return BackgroundTask([into = std::move(into), station, asked, then = std::move(then)] { then({asked, backups_in(into, station)}); });
+  return BackgroundTask([into = std::move(into), station, asked, then = std::move(then)] { then({asked, backups_in(into, station)}); },
+                        BackgroundTask::Holds::nothing);
 }
 
 BackgroundTask verify_records(RecordsBeside records, std::function<void(Stored<StoreVerification>)> then,
@@ -100,7 +102,7 @@ BackgroundTask verify_log(RecordsBeside records, const Actor& actor, std::shared
     const auto store = open_beside(records.for_reading());
     if (!store) return then(std::unexpected(store.error()));
     then((*store)->audit.verify(actor, [&progress](std::int64_t number) { progress->holding = number + 1; }));
-  });
+  }, BackgroundTask::Holds::nothing);
 }
 
 }  // namespace cusp::ui

@@ -101,7 +101,7 @@ void DepartedCard::look() {
           if (self && self->years() == asked && !self->working_) self->show_found(*shared);
         },
         Qt::QueuedConnection);
-  });
+  }, BackgroundTask::Holds::nothing);
 }
 
 Stored<DepartedCard::Found> DepartedCard::read_departed(const RecordsBeside& records, const Actor& actor, int years) {

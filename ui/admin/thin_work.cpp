@@ -9,7 +9,7 @@ BackgroundTask look_for_old_traces(RecordsBeside records, const Actor& actor, in
   return BackgroundTask([records = std::move(records), actor, older_than_days, then = std::move(then)] {
     const auto store = open_beside(records.for_reading());
     then(store ? old_traces((*store)->context(), actor, older_than_days) : Stored<OldTraces>(std::unexpected(store.error())));
-  });
+  }, BackgroundTask::Holds::nothing);
 }
 
 BackgroundTask thin_in_background(RecordsBeside records, const Actor& actor, const ThinningOrder& order,

@@ -107,7 +107,7 @@ void Desktop::open_pack(const QString& path) {
           show_pack(std::make_shared<const OpenedPack>(std::move(**opened)));
         },
         Qt::QueuedConnection);
-  });
+  }, BackgroundTask::Holds::nothing);
 }
 
 void Desktop::show_pack(const std::shared_ptr<const OpenedPack>& pack) {

@@ -129,7 +129,7 @@ void Desktop::gather(const std::shared_ptr<const SessionResult>& result, QWidget
           if (shown && number == gathered_) then(std::move(*gathered));
         },
         Qt::QueuedConnection);
-  });
+  }, BackgroundTask::Holds::nothing);
 }
 
 bool Desktop::awaits_own_assessment(const SessionResult& result) {

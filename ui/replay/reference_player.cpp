@@ -34,7 +34,7 @@ struct ReferencePlayer::Shared {
 ReferencePlayer::ReferencePlayer(std::shared_ptr<ToothCache> teeth, ToothWish wish)
     : shared_(std::make_shared<Shared>()), task_([shared = shared_, teeth = std::move(teeth), wish = std::move(wish)] {
         work(*shared, *teeth, wish);
-      }) {}
+      }, BackgroundTask::Holds::nothing) {}
 
 ReferencePlayer::~ReferencePlayer() {
   const std::lock_guard lock(shared_->mutex);

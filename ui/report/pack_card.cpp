@@ -75,7 +75,7 @@ void PackCard::prove() {
           if (card) card->show_proof(*proof);
         },
         Qt::QueuedConnection);
-  });
+  }, BackgroundTask::Holds::nothing);
 }
 
 void PackCard::show_proof(const Result<ReplayProof, Message>& proof) {

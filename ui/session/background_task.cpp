@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstdlib>
 #include <list>
 #include <mutex>
 #include <thread>
@@ -57,14 +58,14 @@ class Dropped {
     wait();
     // Another may have taken one over to wait for it.
     std::unique_lock lock(mutex_);
-    joined_.wait(lock, [&] { return waited_for(Holds::device) == 0 && waited_for(Holds::nothing) == 0; });
+    joined_.wait(lock, [&] { return std::ranges::all_of(waited_for_, [](int tasks) { return tasks == 0; }); });
   }
 
-  /// Whether none is left that holds a device.
-  bool devices_are_free() {
+  /// Whether one is left that holds this.
+  bool has(Holds holds) {
     const std::lock_guard lock(mutex_);
     sweep();
-    return waited_for(Holds::device) == 0 && std::ranges::none_of(left_, [](const One& one) { return one.holds == Holds::device; });
+    return waited_for(holds) > 0 || std::ranges::any_of(left_, [holds](const One& one) { return one.holds == holds; });
   }
 
  private:
@@ -88,7 +89,7 @@ class Dropped {
   std::mutex mutex_;
   std::condition_variable joined_;
   std::list<One> left_;
-  std::array<int, 2> waited_for_{};  // [Holds]
+  std::array<int, 3> waited_for_{};  // [Holds]
 };
 
 Dropped& dropped() {
@@ -128,7 +129,17 @@ bool BackgroundTask::over() const noexcept { return !job_ || job_->over.load(std
 void wait_for_dropped_tasks() { dropped().wait_for_all(); }
 
 void wait_for_dropped_devices(const std::function<bool()>& called_off) {
-  while (!dropped().devices_are_free() && !(called_off && called_off())) std::this_thread::sleep_for(kDeviceLook);
+  while (dropped().has(Holds::device) && !(called_off && called_off())) std::this_thread::sleep_for(kDeviceLook);
+}
+
+DroppedWork dropped_work() {
+  if (dropped().has(Holds::change)) return DroppedWork::change;
+  return dropped().has(Holds::nothing) || dropped().has(Holds::device) ? DroppedWork::harmless : DroppedWork::none;
+}
+
+TasksEndHere::~TasksEndHere() {
+  if (status_) std::_Exit(*status_);
+  wait_for_dropped_tasks();
 }
 
 }  // namespace cusp::ui

@@ -6,16 +6,18 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace cusp::ui {
 
 class BackgroundTask {
  public:
-  /// What a task has in hand that an attempt needs.
-  enum class Holds : std::uint8_t { nothing, device };
+  /// What a task has in hand. nothing: what it reads, computes or asks can be had again. device: an attempt needs it. change: it changes a
+  /// file or the records.
+  enum class Holds : std::uint8_t { nothing, device, change };
   BackgroundTask() = default;  // none
   /// Begins at once. `work` owns all that it touches, or shares it.
-  explicit BackgroundTask(std::function<void()> work, Holds holds = Holds::nothing);
+  explicit BackgroundTask(std::function<void()> work, Holds holds = Holds::change);
   /// Does not wait.
   ~BackgroundTask();
   BackgroundTask(BackgroundTask&& other) noexcept;
@@ -33,14 +35,23 @@ void wait_for_dropped_tasks();
 /// The same for those that hold a device, or until `called_off` says true.
 void wait_for_dropped_devices(const std::function<bool()>& called_off = {});
 
+/// What would be lost if the process ended beside the background tasks that were dropped and are not over.
+enum class DroppedWork : std::uint8_t { none, harmless, change };
+DroppedWork dropped_work();
+
 /// Waits for dropped tasks where it goes. It stands between the application and whoever starts tasks: they use the application and
 /// the statics of the program.
 class TasksEndHere {
  public:
   TasksEndHere() = default;
-  ~TasksEndHere() { wait_for_dropped_tasks(); }
+  ~TasksEndHere();
   TasksEndHere(const TasksEndHere&) = delete;
   TasksEndHere& operator=(const TasksEndHere&) = delete;
+  /// Then it does not wait: it ends the process with this status, and the tasks with it.
+  void leave_tasks(int status) { status_ = status; }
+
+ private:
+  std::optional<int> status_;
 };
 
 }  // namespace cusp::ui

@@ -37,7 +37,7 @@ void watch_devices(Shared& shared, const std::function<std::unique_ptr<DeviceWat
 class BackgroundWatch final : public DeviceWatch {
  public:
   BackgroundWatch(std::function<std::unique_ptr<DeviceWatch>()> make, std::chrono::milliseconds every)
-      : task_([shared = shared_, make = std::move(make), every] { watch_devices(*shared, make, every); }) {}
+      : task_([shared = shared_, make = std::move(make), every] { watch_devices(*shared, make, every); }, BackgroundTask::Holds::nothing) {}
   ~BackgroundWatch() override {
     const std::lock_guard lock(shared_->mutex);
     shared_->stop = true;

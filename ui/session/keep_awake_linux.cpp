@@ -55,7 +55,7 @@ KeepAwake::KeepAwake(std::string why) : shared_(std::make_shared<Shared>()) {
     if (cookie == 0) return;
     shared->wait();  // the desktop forgets the wish of a connection that goes
     sd_bus_call_method(bus.get(), kSaver, kSaverPath, kSaver, "UnInhibit", nullptr, nullptr, "u", cookie);
-  });
+  }, BackgroundTask::Holds::nothing);
 }
 
 KeepAwake::~KeepAwake() {

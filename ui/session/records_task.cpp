@@ -24,8 +24,8 @@ RecordsBeside records_of(Store& store) {
 
 OwnStore open_beside(const RecordsBeside& records) { return Store::open(records.file, records.options); }
 
-BackgroundTask with_own_store(Store& store, std::function<void(OwnStore own)> work) {
-  return BackgroundTask([records = records_of(store), work = std::move(work)] { work(open_beside(records)); });
+BackgroundTask with_own_store(Store& store, std::function<void(OwnStore own)> work, BackgroundTask::Holds holds) {
+  return BackgroundTask([records = records_of(store), work = std::move(work)] { work(open_beside(records)); }, holds);
 }
 
 }  // namespace cusp::ui

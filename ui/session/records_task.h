@@ -27,6 +27,7 @@ RecordsBeside records_of(Store& store);
 OwnStore open_beside(const RecordsBeside& records);
 
 /// open_beside() the records of `store`. `work` is called on the task's thread.
-BackgroundTask with_own_store(Store& store, std::function<void(OwnStore own)> work);
+BackgroundTask with_own_store(Store& store, std::function<void(OwnStore own)> work,
+                              BackgroundTask::Holds holds = BackgroundTask::Holds::change);
 
 }  // namespace cusp::ui

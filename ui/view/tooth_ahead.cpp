@@ -11,7 +11,7 @@ ToothAhead::ToothAhead(std::shared_ptr<ToothCache> teeth, ToothWish wish)
         lower_own_priority();
         // A failure is shown by whoever starts the exercise.
         (void)teeth->tooth(wish, stop.get());
-      }) {}
+      }, BackgroundTask::Holds::nothing) {}
 
 ToothAhead::~ToothAhead() { *stop_ = true; }
 

@@ -97,6 +97,40 @@ TEST(BackgroundTaskDeathTest, one_that_works_when_the_program_ends_still_has_its
   EXPECT_EXIT(end_with_a_task_at_work(), testing::ExitedWithCode(0), "");
 }
 
+[[noreturn]] void end_beside_a_task_that_hangs() {
+  {
+    TasksEndHere end;
+    BackgroundTask([] {
+      for (;;) std::this_thread::sleep_for(1s);
+    });
+    end.leave_tasks(4);
+  }
+  std::exit(0);
+}
+
+TEST(BackgroundTaskDeathTest, one_that_hangs_ends_with_the_program_where_nobody_waits_for_it) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(end_beside_a_task_that_hangs(), testing::ExitedWithCode(4), "");
+}
+
+TEST(BackgroundTask, what_was_dropped_is_known_by_what_its_end_would_lose) {
+  wait_for_dropped_tasks();
+  EXPECT_EQ(dropped_work(), DroppedWork::none);
+  auto reads = std::make_shared<Gate>(), writes = std::make_shared<Gate>(), closes = std::make_shared<Gate>();
+  BackgroundTask([closes] { closes->pass(); }, BackgroundTask::Holds::device);
+  EXPECT_EQ(dropped_work(), DroppedWork::harmless);
+  BackgroundTask([writes] { writes->pass(); });
+  EXPECT_EQ(dropped_work(), DroppedWork::change) << "unless it says otherwise";
+  BackgroundTask([reads] { reads->pass(); }, BackgroundTask::Holds::nothing);
+  EXPECT_EQ(dropped_work(), DroppedWork::change);
+  writes->open();
+  EXPECT_TRUE(eventually([] { return dropped_work() == DroppedWork::harmless; }));
+  closes->open();
+  reads->open();
+  EXPECT_TRUE(eventually([] { return dropped_work() == DroppedWork::none; }));
+  EXPECT_FALSE(reads->gave_up() || writes->gave_up() || closes->gave_up());
+}
+
 TEST(BackgroundTask, none_is_over_and_another_may_take_its_place) {
   BackgroundTask background_task;
   EXPECT_TRUE(background_task.over());
