@@ -15,6 +15,7 @@
 #include "device/hid/hid_station.h"
 #include "device/hid/transport_hidapi.h"
 #include "ui/app/accessible_parts.h"
+#include "ui/app/closing_window.h"
 #include "ui/app/desktop.h"
 #include "ui/app/run_marker.h"
 #include "ui/cli/terminal.h"
@@ -48,7 +49,7 @@ int main(int argc, char** argv) {
   if (cusp::ui::is_verb(argc, argv) || cusp::ui::no_display(argc, argv)) return cusp::ui::run_verb(argc, argv);
 
   QApplication app(argc, argv);
-  const cusp::ui::TasksEndHere tasks_end;
+  cusp::ui::TasksEndHere tasks_end;
   cusp::ui::install_accessible_parts();
   QCoreApplication::setApplicationName(QStringLiteral("Cusp"));
   QGuiApplication::setDesktopFileName(QStringLiteral("cusp"));
@@ -93,5 +94,8 @@ int main(int argc, char** argv) {
   const auto offer = [&] { desktop->offer_safe_start(); };
   const bool crashed = marker.found_crash() && cusp::ui::opengl_allowed();
   QTimer::singleShot(0, &app, [steps = crashed ? Steps{look, make, show, offer} : Steps{look, make, start, show}] { run_in_turns(steps); });
-  return QApplication::exec();
+  const int status = QApplication::exec();
+  desktop.reset();  // what its pages have begun is dropped
+  if (cusp::ui::ClosingWindow().wait() == cusp::ui::ClosingWindow::End::left) tasks_end.leave_tasks(status);
+  return status;
 }
