@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <memory>
 
 namespace cusp::engine {
 
@@ -16,24 +15,18 @@ constexpr const char* kName = "org.freedesktop.RealtimeKit1";
 constexpr const char* kPath = "/org/freedesktop/RealtimeKit1";
 constexpr std::uint64_t kAnswerUs = 1'000'000;
 
-struct BusEnd {
-  void operator()(sd_bus* bus) const noexcept { sd_bus_flush_close_unref(bus); }
-};
-using Bus = std::unique_ptr<sd_bus, BusEnd>;
-
 }  // namespace
 
 RtkitAnswer ask_rtkit(int& priority) noexcept {
-  sd_bus* opened = nullptr;
-  if (sd_bus_open_system(&opened) < 0) return RtkitAnswer::absent;
-  const Bus bus(opened);
-  sd_bus_set_method_call_timeout(bus.get(), kAnswerUs);
+  [[gnu::cleanup(sd_bus_flush_close_unrefp)]] sd_bus* bus = nullptr;
+  if (sd_bus_open_system(&bus) < 0) return RtkitAnswer::absent;
+  sd_bus_set_method_call_timeout(bus, kAnswerUs);
 
   std::int32_t most = 0;
-  if (sd_bus_get_property_trivial(bus.get(), kName, kPath, kName, "MaxRealtimePriority", nullptr, 'i', &most) < 0)
+  if (sd_bus_get_property_trivial(bus, kName, kPath, kName, "MaxRealtimePriority", nullptr, 'i', &most) < 0)
     return RtkitAnswer::absent;
   std::int64_t run_us = 0;
-  if (sd_bus_get_property_trivial(bus.get(), kName, kPath, kName, "RTTimeUSecMax", nullptr, 'x', &run_us) < 0)
+  if (sd_bus_get_property_trivial(bus, kName, kPath, kName, "RTTimeUSecMax", nullptr, 'x', &run_us) < 0)
     return RtkitAnswer::absent;
   if (most < 1 || run_us < 1) return RtkitAnswer::refused;
 
@@ -46,7 +39,7 @@ RtkitAnswer ask_rtkit(int& priority) noexcept {
 
   priority = std::min(priority, static_cast<int>(most));
   const auto thread = static_cast<std::uint64_t>(syscall(SYS_gettid));
-  const int called = sd_bus_call_method(bus.get(), kName, kPath, kName, "MakeThreadRealtime", nullptr, nullptr, "tu", thread,
+  const int called = sd_bus_call_method(bus, kName, kPath, kName, "MakeThreadRealtime", nullptr, nullptr, "tu", thread,
                                         static_cast<std::uint32_t>(priority));
   return called < 0 ? RtkitAnswer::refused : RtkitAnswer::granted;
 }

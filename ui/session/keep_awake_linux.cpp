@@ -27,10 +27,6 @@ constexpr const char* kSaver = "org.freedesktop.ScreenSaver";
 constexpr const char* kSaverPath = "/org/freedesktop/ScreenSaver";
 constexpr std::uint64_t kSaverAnswerUs = 1'000'000;
 
-struct SessionBusEnd {
-  void operator()(sd_bus* bus) const noexcept { sd_bus_flush_close_unref(bus); }
-};
-
 /// The number under which the desktop keeps the wish; 0: it has not taken it.
 std::uint32_t inhibit(sd_bus* bus, const std::string& why) {
   sd_bus_message* answer = nullptr;
@@ -47,14 +43,13 @@ std::uint32_t inhibit(sd_bus* bus, const std::string& why) {
 
 KeepAwake::KeepAwake(std::string why) : shared_(std::make_shared<Shared>()) {
   task_ = BackgroundTask([shared = shared_, why = std::move(why)] {
-    sd_bus* opened = nullptr;
-    if (sd_bus_open_user(&opened) < 0) return;
-    const std::unique_ptr<sd_bus, SessionBusEnd> bus(opened);
-    sd_bus_set_method_call_timeout(bus.get(), kSaverAnswerUs);
-    const std::uint32_t cookie = inhibit(bus.get(), why);
+    [[gnu::cleanup(sd_bus_flush_close_unrefp)]] sd_bus* bus = nullptr;
+    if (sd_bus_open_user(&bus) < 0) return;
+    sd_bus_set_method_call_timeout(bus, kSaverAnswerUs);
+    const std::uint32_t cookie = inhibit(bus, why);
     if (cookie == 0) return;
     shared->wait();  // the desktop forgets the wish of a connection that goes
-    sd_bus_call_method(bus.get(), kSaver, kSaverPath, kSaver, "UnInhibit", nullptr, nullptr, "u", cookie);
+    sd_bus_call_method(bus, kSaver, kSaverPath, kSaver, "UnInhibit", nullptr, nullptr, "u", cookie);
   }, BackgroundTask::Holds::nothing);
 }
 
