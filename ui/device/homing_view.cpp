@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/text/falcon_text.h"
 #include "ui/widgets/parts.h"
@@ -105,16 +106,15 @@ HomingView::HomingView(QWidget* parent) : QWidget(parent) {
 }
 
 void HomingView::show_falcon(const FalconView& view) {
-  picture_->view = view;
+  const falcon::Phase before = std::exchange(picture_->view, view).session.phase;
   picture_->update();
-  const QString phase = phase_text(view.session);
-  if (phase_->text() != phase) {
-    phase_->setText(phase);
-    announce(this, phase);
-  }
-  const QString sentence = help_text(view.session);
-  if (sentence_->text() != sentence) sentence_->setText(sentence);
+  const QString phase = phase_text(view.session), sentence = help_text(view.session);
+  if (phase_->text() == phase && sentence_->text() == sentence) return;
+  const bool loads = before == view.session.phase && sentence_->text() == sentence;  // only the share of an upload differs
+  phase_->setText(phase);
+  sentence_->setText(sentence);
   picture_->setAccessibleName(sentence.isEmpty() ? phase : sentence);
+  if (!loads) announce(this, text().trimmed());
 }
 
 QString HomingView::text() const { return phase_->text() + u' ' + sentence_->text(); }

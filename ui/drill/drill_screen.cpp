@@ -158,11 +158,10 @@ void DrillScreen::show_opening() {
   Inner& in = *inner_;
   if (!in.opening) return;
   if (in.opening->called_off()) return in.opening->call_off();
-  show_progress();
   FalconPort* falcon = in.opening->falcon();
-  if (falcon == nullptr) return;
-  in.busy->finish();
-  in.homing->show_falcon(falcon->view());
+  if (falcon != nullptr && in.homing->show_falcon(falcon->view())) return in.busy->finish();
+  if (!in.busy->running()) in.busy->start(tr("Starting the attempt"), Busy::Cancel::offered);
+  show_progress();
 }
 
 DrillScreen::~DrillScreen() {

@@ -17,7 +17,11 @@ HomingCard::HomingCard(QWidget* over) : Card(over), homing_(new HomingView(this)
   hide();
 }
 
-void HomingCard::show_falcon(const FalconView& view) {
+bool HomingCard::show_falcon(const FalconView& view) {
+  if (view.session.phase == falcon::Phase::ready) {
+    hide();
+    return false;
+  }
   const QWidget& over = *parentWidget();
   homing_->setFixedWidth(std::min(px(kWidth), over.width() - px(kBeside)));
   homing_->show_falcon(view);
@@ -25,6 +29,7 @@ void HomingCard::show_falcon(const FalconView& view) {
   adjustSize();
   move((over.width() - width()) / 2, (over.height() - height()) / 2);
   raise();
+  return true;
 }
 
 }  // namespace cusp::ui

@@ -14,8 +14,8 @@ class HomingCard : public Card {
 
  public:
   explicit HomingCard(QWidget* over);
-  /// Shows itself in the middle of what it stands over.
-  void show_falcon(const FalconView& view);
+  /// Shows itself in the middle of what it stands over. False, and hidden, once the Falcon is homed: what follows may take longer.
+  bool show_falcon(const FalconView& view);
 
  private:
   HomingView* homing_;

@@ -43,6 +43,24 @@ TEST(FalconText, a_falcon_that_is_looked_for_comes_with_the_cause_and_the_way_ou
   EXPECT_TRUE(text(Phase::needs_image, Trouble::none).contains(QStringLiteral("name the file")));
 }
 
+TEST(FalconText, a_screen_reader_hears_what_the_hand_has_to_do_and_not_the_phase_alone) {
+  HomingView homing;
+  FalconView view;
+  view.session.phase = falcon::Phase::homing;
+  homing.show_falcon(view);
+  EXPECT_TRUE(homing.accessibleDescription().startsWith(QStringLiteral("Finding its middle"))) << homing.accessibleDescription().toStdString();
+  EXPECT_TRUE(homing.accessibleDescription().contains(QStringLiteral("Pull the grip"))) << homing.accessibleDescription().toStdString();
+  view.session.phase = falcon::Phase::uploading;
+  view.session.upload_size = 100;
+  homing.show_falcon(view);
+  const QString begun = homing.accessibleDescription();
+  EXPECT_TRUE(begun.startsWith(QStringLiteral("Loading its firmware"))) << begun.toStdString();
+  view.session.uploaded = 50;
+  homing.show_falcon(view);
+  EXPECT_TRUE(homing.text().contains(QStringLiteral("50"))) << homing.text().toStdString();
+  EXPECT_EQ(homing.accessibleDescription(), begun) << "a voice would never pause";
+}
+
 TEST(FalconText, answers_that_come_too_late_are_the_cause_that_is_named) {
   const Message late = describe_falcon({PortError::io, "FT000001", "late_answers"});
   EXPECT_EQ(late.what, "The Falcon answers too late.");
