@@ -171,7 +171,12 @@ void BurTray::choose(int index) {
   if (QAbstractButton* button = group_->button(index)) button->setChecked(true);
 }
 
+void BurTray::announce_bur(int index) {
+  if (const QAbstractButton* button = group_->button(index)) announce(this, button->accessibleName());
+}
+
 void BurTray::show_burs(int in_use, int wanted) {
+  if (wanted != chosen()) announce_bur(wanted);  // a button of the device chose it
   choose(wanted);
   const int waiting = wanted == in_use ? -1 : wanted;
   if (std::exchange(waiting_, waiting) == waiting) return;
@@ -191,6 +196,7 @@ void BurTray::step(int by) {
   const int to = std::clamp(chosen() + by, 0, std::max(count_ - 1, 0));
   if (to == chosen() || count_ == 0) return;
   choose(to);
+  announce_bur(to);
   Q_EMIT bur_chosen(to);
 }
 

@@ -33,6 +33,8 @@ class BurTray : public QFrame {
   void bur_chosen(int index);
 
  private:
+  void announce_bur(int index);
+
   QHBoxLayout *whole_, *row_;
   QLabel *keys_, *waits_;
   QButtonGroup* group_;

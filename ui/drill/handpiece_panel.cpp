@@ -50,6 +50,7 @@ HandpiecePanel::HandpiecePanel(QWidget* parent) : QFrame(parent) {
   connect(coolant_, &QPushButton::toggled, this, [this](bool on) {
     pedal_wets_ = false;
     show_coolant();
+    announce(this, coolant_->accessibleName());  // its key works from anywhere
     Q_EMIT coolant_changed(on);
   });
   head_->addWidget(coolant_);

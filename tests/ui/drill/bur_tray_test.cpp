@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QLabel>
 #include <QSignalSpy>
 
@@ -27,6 +28,19 @@ TEST(BurTray, says_what_to_do_while_the_wanted_bur_waits_for_the_air) {
   EXPECT_EQ(tray.chosen(), 1) << "the next one is counted from the wanted one";
   tray.show_burs(1, 1);
   EXPECT_FALSE(asks_to_lift(tray));
+}
+
+TEST(BurTray, reads_out_the_bur_that_a_key_or_the_device_has_chosen) {
+  BurTray tray;
+  tray.set_burs(load_builtin("class-1-36")->instruments);
+  tray.show_burs(0, 0);
+  const auto name = [&tray](int index) { return tray.findChildren<QAbstractButton*>().at(index)->accessibleName(); };
+  EXPECT_TRUE(tray.accessibleDescription().isEmpty());
+  tray.step(1);
+  EXPECT_EQ(tray.accessibleDescription(), name(1));
+  tray.show_burs(1, 1);
+  tray.show_burs(0, 0);
+  EXPECT_EQ(tray.accessibleDescription(), name(0));
 }
 
 TEST(BurTray, takes_no_key_while_it_is_disabled) {

@@ -43,6 +43,7 @@ TEST(HandpiecePanel, runs_the_coolant_by_its_key_while_it_is_hidden) {
   QTest::keyClick(&screen, Qt::Key_P, Qt::ControlModifier);
   ASSERT_FALSE(panel->isVisible());
   QTest::keyClick(&screen, Qt::Key_W);
+  EXPECT_EQ(panel->accessibleDescription(), QStringLiteral("Coolant is on")) << "it is read out";
   EXPECT_TRUE(panel->spoken().contains(QStringLiteral("Coolant is on"))) << panel->spoken().toStdString();
 }
 
