@@ -101,7 +101,10 @@ DrillScreen* Desktop::open_drilling(const SessionPlan& plan, const DrillText& te
     });
   }
   SessionPlan with_pedal = plan;
-  if (hid_) with_pedal.pedal = hid_->pedal_source();
+  if (hid_) {
+    with_pedal.pedal = hid_->pedal_source();
+    screen->watch_pedal([hid = hid_] { return hid->pedal().view().connected; });
+  }
   screen->begin(std::move(with_pedal), text);
   return screen;
 }

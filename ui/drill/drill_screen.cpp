@@ -133,6 +133,7 @@ void DrillScreen::make_keys() {
 }
 
 void DrillScreen::use_device(DeviceChoice choice) { inner_->choice = std::move(choice); }
+void DrillScreen::watch_pedal(std::function<bool()> plugged) { inner_->pedal_plugged = std::move(plugged); }
 void DrillScreen::use_teeth(std::shared_ptr<ToothCache> teeth) { inner_->teeth = std::move(teeth); }
 
 void DrillScreen::show_progress() {
@@ -325,6 +326,7 @@ void DrillScreen::look() {
   in.bar->set_seconds(in.live.seconds);
   if (in.live.time_is_up) return finish_now();  // the session holds itself at its time limit
   in.panel->show_values(in.live);
+  if (in.pedal_plugged) in.panel->show_pedal(in.pedal_plugged());
   in.tray->show_burs(stands_still(in.live) ? in.live.wanted_bur : in.live.output.bur, in.live.wanted_bur);
   in.bar->show_grant(in.live.grant);
   const InversePort* inverse3 = in.attempt->device.inverse;

@@ -32,6 +32,8 @@ class DrillScreen : public QWidget {
   void use_device(DeviceChoice choice);
   /// Where the tooth comes from; made for each attempt anew unless it is called. Before begin().
   void use_teeth(std::shared_ptr<class ToothCache> teeth);
+  /// Whether the station's foot pedal is plugged in; asked while the attempt runs. Without it none is missed. Before begin().
+  void watch_pedal(std::function<bool()> plugged);
   /// Makes the tooth ready and starts the attempt in the background; a Falcon's starts once it is homed. `port`: instead of the
   /// device that was chosen. Pre: no attempt is running.
   void begin(SessionPlan plan, const DrillText& text, std::unique_ptr<HapticPort> port = nullptr);

@@ -39,6 +39,7 @@ struct DrillScreen::Inner {
   // The attempt.
   DeviceChoice choice;
   std::shared_ptr<ToothCache> teeth;
+  std::function<bool()> pedal_plugged;  // of watch_pedal()
   Guidance guidance = Guidance::full;
   QString leave_code;  // an assessment's start code, which leaves it as well; else empty
   std::unique_ptr<AttemptOpening> opening;  // until the attempt has started

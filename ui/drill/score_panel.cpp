@@ -206,6 +206,10 @@ void ScorePanel::make_device() {
   softened_->setWordWrap(true);
   softened_->hide();
   rows->addWidget(softened_);
+  no_pedal_ = make_label(tr("The foot pedal is not plugged in any more. Until it is, the button alone cuts."), TextRole::caption, Weight::bold, "look");
+  no_pedal_->setWordWrap(true);
+  no_pedal_->hide();
+  rows->addWidget(no_pedal_);
 }
 
 void ScorePanel::fold(bool on) {
@@ -300,6 +304,14 @@ void ScorePanel::show_values(const LiveView& live) {
   }
   set_value(device_state_, state);
   foot_->show_values(live);
+}
+
+void ScorePanel::show_pedal(bool plugged) {
+  had_pedal_ = had_pedal_ || plugged;
+  const bool missed = had_pedal_ && !plugged;
+  if (missed != no_pedal_->isHidden()) return;
+  no_pedal_->setVisible(missed);
+  announce(this, missed ? no_pedal_->text() : tr("The foot pedal is plugged in again."));
 }
 
 void ScorePanel::show_tissues(const LiveView& live) {

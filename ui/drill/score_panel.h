@@ -41,6 +41,8 @@ class ScorePanel : public QFrame {
   /// stiffness_share: what the device leaves of the tissues' stiffness; below 1 the panel names it.
   void set_device(const DeviceLimits& limits, double stiffness_share = 1.0);
   void show_values(const LiveView& live);
+  /// Whether a foot pedal is plugged in. One that was is missed.
+  void show_pedal(bool plugged);
   /// Titles and numbers alone, in a narrower panel.
   void fold(bool on);
   SectionView* section() { return section_; }
@@ -71,7 +73,7 @@ class ScorePanel : public QFrame {
   SectionView* section_;
   HandpiecePanel* handpiece_;
   QFrame* handpiece_rule_;
-  QLabel *section_aside_, *percent_, *over_cut_, *over_pulp_, *device_, *softened_, *device_state_, *task_;
+  QLabel *section_aside_, *percent_, *over_cut_, *over_pulp_, *device_, *softened_, *device_state_, *no_pedal_, *task_;
   QWidget *task_part_, *section_part_, *progress_part_, *over_pulp_row_, *removed_part_;
   Bar* percent_bar_;
   QGridLayout *target_grid_, *tissue_grid_;
@@ -79,6 +81,7 @@ class ScorePanel : public QFrame {
   std::vector<TissueRow> tissues_;
   SessionFoot* foot_;
   bool folded_ = false;
+  bool had_pedal_ = false;  // since the attempt began
 };
 
 }  // namespace cusp::ui
