@@ -234,9 +234,7 @@ QVector<NavEntry> Desktop::entries() {
                connect(page, &StartPage::briefing_wanted, this, &Desktop::show_briefing);
                connect(page, &StartPage::start_wanted, this, &Desktop::drill);
                connect(page, &StartPage::assessment_wanted, this, &Desktop::sit);
-               connect(page, &StartPage::assessment_opened, this, [this] {
-                 if (shell_ && this->page() == shell_) shell_->show_again();  // else back() does
-               });
+               connect(page, &StartPage::assessment_opened, this, &Desktop::read_page_again);
                connect(page, &StartPage::report_wanted, this, &Desktop::open_report);
                return page;
              }};
@@ -253,6 +251,7 @@ QVector<NavEntry> Desktop::entries() {
     list += {u"exercises"_qs, tr("Exercises"), u"list"_qs, [this]() -> QWidget* {
                auto* page = new ExercisesPage(*store_, account_->actor(), *pictures_, volume_folder());
                connect(page, &ExercisesPage::briefing_wanted, this, &Desktop::show_briefing);
+               connect(page, &ExercisesPage::again_wanted, this, &Desktop::read_page_again);
                return page;
              }};
   }

@@ -142,6 +142,7 @@ class Desktop : public QMainWindow {
   void look_at_account();
   /// Offers an assessment that has opened while the start page is shown.
   void look_at_opening();
+  void read_page_again();
   /// Signs out, keeps what can be kept, and says why.
   void lock(const QString& why);
   /// The pages over the shell go out of sight, for sign_in() of the same account.

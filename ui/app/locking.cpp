@@ -209,6 +209,10 @@ void Desktop::leave_page(std::function<void()> then) {
   });
 }
 
+void Desktop::read_page_again() {
+  if (shell_ && page() == shell_) shell_->show_again();  // else back() does
+}
+
 void Desktop::closeEvent(QCloseEvent* event) {
   // A shutdown of the computer does not wait for an answer.
   for (DrillScreen* screen : ended_by_signal() ? QList<DrillScreen*>() : findChildren<DrillScreen*>()) {

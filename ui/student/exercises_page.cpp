@@ -60,7 +60,10 @@ ExercisesPage::ExercisesPage(Store& store, const Actor& actor, ThumbnailCache& p
   const auto course = load_course(store, actor);
   if (!course) {
     const Message message = describe(course.error());
-    outer->addWidget(new EmptyState(u"warning"_qs, message.what, message.more, {}, Ink::bad), 1);
+    auto* unread = new EmptyState(u"warning"_qs, message.what, message.more, tr("Try again"), Ink::bad);
+    connect(unread, &EmptyState::acted, this, &ExercisesPage::again_wanted);
+    outer->addWidget(unread, 1);
+    setFocusProxy(unread->button());
     return;
   }
   if (!course->unreadable.empty()) {

@@ -36,6 +36,8 @@ class ExercisesPage : public QWidget, public Rereads {
 
  Q_SIGNALS:
   void briefing_wanted(const Exercise& exercise);
+  /// Nothing could be read: the page is to be made anew.
+  void again_wanted();
 
  private:
   struct Section {

@@ -12,6 +12,7 @@
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "ui/student/exercises_page.h"
 #include "ui/student/interrupted_card.h"
 #include "ui/student/start_page.h"
 #include "ui/widgets/empty_state.h"
@@ -122,6 +123,18 @@ TEST_F(UnreadAssessments, and_unread_exercises_leave_a_page_that_offers_to_try_a
   ASSERT_NE(unread, nullptr);
   ASSERT_NE(unread->button(), nullptr);
   EXPECT_EQ(shown->focusProxy(), unread->button());
+  unread->button()->click();
+  EXPECT_EQ(again.count(), 1);
+}
+
+TEST_F(UnreadAssessments, and_unread_exercises_can_be_tried_again_from_their_own_page) {
+  ASSERT_TRUE(records.store().database().run("DROP INDEX summaries_of_student"));
+  ExercisesPage page(records.store(), lena.actor(), pictures, {});
+  QSignalSpy again(&page, &ExercisesPage::again_wanted);
+  auto* unread = page.findChild<EmptyState*>();
+  ASSERT_NE(unread, nullptr);
+  ASSERT_NE(unread->button(), nullptr);
+  EXPECT_EQ(page.focusProxy(), unread->button());
   unread->button()->click();
   EXPECT_EQ(again.count(), 1);
 }
