@@ -21,6 +21,7 @@
 #include "ui/student/assessments.h"
 #include "ui/student/exercises.h"
 #include "ui/text/failure_text.h"
+#include "ui/widgets/busy.h"
 #include "ui/widgets/idle_watch.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/ports.h"
@@ -192,6 +193,8 @@ class Desktop : public QMainWindow {
   void add_school_entries(QVector<NavEntry>& list);
   /// What follows where the grade of a finished attempt cannot be kept: the reason, or the report without it.
   enum class NotKept : std::uint8_t { fails, opens };
+  /// A page that waits for the background. Its Cancel goes back, and whoever waits for the page's answer finds it gone.
+  QWidget* push_waiting(const QString& doing, Busy::Cancel cancel);
   void open_result_page(const SessionId& session, Keep keep, NotKept not_kept = NotKept::fails);
   void show_drilling(const Exercise& exercise, SessionPlan plan, const QString& aside);
   /// Removes a page that another one has covered. What lies below is not made anew, as back() does.

@@ -9,7 +9,6 @@
 #include "ui/report/appeal_pack.h"
 #include "ui/report/pack_card.h"
 #include "ui/report/report_page.h"
-#include "ui/widgets/busy.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
@@ -89,10 +88,7 @@ void Desktop::show_pack_outcomes() {
 }
 
 void Desktop::open_pack(const QString& path) {
-  auto* busy = new Busy;
-  QWidget* waiting = make_page(busy);
-  push(waiting);
-  busy->start(tr("Opening the appeal pack"), Busy::Cancel::none);
+  QWidget* waiting = push_waiting(tr("Opening the appeal pack"), Busy::Cancel::offered);
   packing_ = BackgroundTask([this, path, waiting = QPointer<QWidget>(waiting), opener = open_, database = database_, options = beside()] {
     const auto store = opener(database, options);
     using Opened = Result<OpenedPack, Message>;

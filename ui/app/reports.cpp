@@ -15,7 +15,6 @@
 #include "ui/session/replay.h"
 #include "ui/student/course.h"
 #include "ui/student/self_assessment_page.h"
-#include "ui/widgets/busy.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
@@ -66,11 +65,19 @@ void Desktop::grade_interrupted(const SessionId& session) {
   });
 }
 
-void Desktop::open_result_page(const SessionId& session, Keep keep, NotKept not_kept) {
+QWidget* Desktop::push_waiting(const QString& doing, Busy::Cancel cancel) {
   auto* busy = new Busy;
   QWidget* waiting = make_page(busy);
+  connect(busy, &Busy::shown, busy, &Busy::focus_cancel);
+  connect(busy, &Busy::cancelled, this, &Desktop::back);
   push(waiting);
-  busy->start(keep == Keep::grade ? tr("Measuring the tooth") : tr("Opening the report"), Busy::Cancel::none);
+  busy->start(doing, cancel);
+  return waiting;
+}
+
+void Desktop::open_result_page(const SessionId& session, Keep keep, NotKept not_kept) {
+  QWidget* waiting = keep == Keep::grade ? push_waiting(tr("Measuring the tooth"), Busy::Cancel::none)
+                                         : push_waiting(tr("Opening the report"), Busy::Cancel::offered);
   QThreadPool::globalInstance()->start([this, session, keep, not_kept, reader = account_->actor(), waiting = QPointer<QWidget>(waiting), opener = open_, database = database_, options = beside()] {
     const OwnStore store = opener(database, options);
     auto opened = std::make_shared<Opened>(open_in_background(store, session, reader, keep));
@@ -174,10 +181,7 @@ void Desktop::show_result(std::shared_ptr<const SessionResult> result, std::opti
   if (const auto readable = store_->history.may_read_result(account_->actor(), result->session); !readable) {
     return is_withheld(readable.error()) ? show_handed_in(result->session) : show_failure(describe(readable.error()));
   }
-  auto* busy = new Busy;
-  QWidget* waiting = make_page(busy);
-  push(waiting);
-  busy->start(tr("Opening the report"), Busy::Cancel::none);
+  QWidget* waiting = push_waiting(tr("Opening the report"), Busy::Cancel::offered);
   gather(result, waiting, [this, waiting, result, exercise](ReportData gathered) {
     if (page() != waiting) return;
     show_report(result, std::move(gathered), exercise);

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThreadPool>
 #include <algorithm>
 #include <atomic>
 #include <memory>
@@ -121,6 +122,25 @@ TEST_F(LeftPack, is_asked_about_before_the_window_closes) {
   EXPECT_EQ(asked, QStringList{QStringLiteral("Close before the work has ended?")});
   gate.open();
   EXPECT_TRUE(outcome_comes());
+}
+
+using LeftReport = LeftPack;
+
+TEST_F(LeftReport, that_opens_slowly_is_left_by_cancel_and_does_not_come_after_all) {
+  holds = true;
+  desktop->open_report(session);
+  ASSERT_NE(desktop->page(), desktop->shell());
+  const auto buttons = desktop->page()->findChildren<QPushButton*>();
+  const auto cancel = std::ranges::find(buttons, QStringLiteral("Cancel"), &QPushButton::accessibleName);
+  ASSERT_TRUE(cancel != buttons.end());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return (*cancel)->isVisible(); }, kPackMs));
+  (*cancel)->click();
+  EXPECT_EQ(desktop->page(), desktop->shell());
+  gate.open();
+  QThreadPool::globalInstance()->waitForDone();
+  QCoreApplication::processEvents();
+  EXPECT_EQ(desktop->page(), desktop->shell());
+  EXPECT_FALSE(gate.gave_up());
 }
 
 }  // namespace
