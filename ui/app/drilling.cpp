@@ -217,9 +217,10 @@ void Desktop::show_drilling(const Exercise& exercise, SessionPlan plan, const QS
   plan.scenario_folder = *folder;
   const DrillText text{local(exercise.scenario.title), aside};
   DrillScreen* screen = open_drilling(plan, text);
-  connect(screen, &DrillScreen::finished, this, [this, exercise](std::shared_ptr<const SessionResult> result) {
+  connect(screen, &DrillScreen::finished, this, [this, exercise, resumed = !plan.resumes.is_nil()](std::shared_ptr<const SessionResult> result) {
     back();
-    end_attempt(result, exercise);
+    // What broke off may be of an older version: another attempt is drilled in the one that counts now.
+    end_attempt(result, resumed && account_ ? exercise_to_drill(*store_, account_->actor(), exercise.scenario.id) : exercise);
   });
 }
 

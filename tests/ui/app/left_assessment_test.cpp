@@ -226,6 +226,25 @@ TEST_F(LeftAssessment, and_a_practice_that_ended_without_its_grade_gets_it_where
   EXPECT_TRUE(records.store().history.list(lena.actor())->front().score.has_value()) << "it counts among the results";
 }
 
+TEST_F(LeftAssessment, and_a_practice_that_was_continued_is_tried_again_in_the_newest_version) {
+  const SessionId practice = practise_and_leave();
+  Store& store = records.store();
+  exercise.scenario.rubric.pass += 1;
+  const auto newest = store.scenarios.publish(examiner, exercise.scenario, canonical_json(exercise.scenario), content_hash(exercise.scenario).bytes);
+  ASSERT_TRUE(newest);
+  desktop->resume_attempt(practice);
+  ASSERT_TRUE(drills());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !screen()->working(); }, kDrillingMs));
+  screen()->ask_finish();
+  answer(true);
+  ASSERT_TRUE(reports());
+  Q_EMIT qobject_cast<ReportPage*>(desktop->page())->try_again_wanted();
+  ASSERT_TRUE(drills());
+  const SessionId again = store.history.list(lena.actor())->front().session;
+  EXPECT_NE(again, practice);
+  EXPECT_EQ(store.sessions.find(again)->version, newest->id);
+}
+
 TEST_F(LeftAssessment, keeps_the_button_to_practise_from_the_report_of_an_earlier_one_until_it_is_handed_in) {
   Store& store = records.store();
   const auto begin = [&](const Assignment& of, const char* code) {
