@@ -33,11 +33,11 @@ namespace {
 
 using Steps = std::vector<std::function<void()>>;
 
-/// Each step in a turn of the event loop of its own: the window answers between them.
-void run_in_turns(const Steps& steps, std::size_t next = 0) {
+/// Each step in a turn of the event loop of its own: the window answers between them. None follows once `turns` is gone.
+void run_in_turns(QObject* turns, const Steps& steps, std::size_t next = 0) {
   if (next == steps.size()) return;
   steps[next]();
-  QTimer::singleShot(0, qApp, [steps, next] { run_in_turns(steps, next + 1); });
+  QTimer::singleShot(0, turns, [turns, steps, next] { run_in_turns(turns, steps, next + 1); });
 }
 
 }  // namespace
@@ -93,8 +93,10 @@ int main(int argc, char** argv) {
   const cusp::ui::BackgroundTask read_ahead(cusp::ui::read_builtin_exercises);  // 0.1 s that a page would wait for
   const auto offer = [&] { desktop->offer_safe_start(); };
   const bool crashed = marker.found_crash() && cusp::ui::opengl_allowed();
-  QTimer::singleShot(0, &app, [steps = crashed ? Steps{look, make, show, offer} : Steps{look, make, start, show}] { run_in_turns(steps); });
+  auto turns = std::make_unique<QObject>();
+  QTimer::singleShot(0, turns.get(), [&turns, steps = crashed ? Steps{look, make, show, offer} : Steps{look, make, start, show}] { run_in_turns(turns.get(), steps); });
   const int status = QApplication::exec();
+  turns.reset();
   desktop.reset();  // what its pages have begun is dropped
   if (cusp::ui::ClosingWindow().wait() == cusp::ui::ClosingWindow::End::left) tasks_end.leave_tasks(status);
   return status;
