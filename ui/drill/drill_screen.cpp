@@ -125,7 +125,10 @@ void DrillScreen::make_keys() {
   };
   key(QKeySequence(Qt::Key_BracketLeft), [this] { inner_->tray->step(-1); });
   key(QKeySequence(Qt::Key_BracketRight), [this] { inner_->tray->step(+1); });
-  key(QKeySequence(Qt::CTRL | Qt::Key_P), [this] { inner_->panel->setVisible(!inner_->panel->isVisible()); });
+  key(QKeySequence(Qt::CTRL | Qt::Key_P), [this] {
+    if (inner_->panel->isAncestorOf(focusWidget())) setFocus();  // else Qt gives the keys to the next button
+    inner_->panel->setVisible(!inner_->panel->isVisible());
+  });
   key(QKeySequence(Qt::CTRL | Qt::Key_Enter), [this] { ask_finish(); });
   key(QKeySequence(Qt::CTRL | Qt::Key_Space), [this] {
     announce(this, (inner_->stage->spoken() + u' ' + inner_->panel->handpiece()->spoken()).trimmed());

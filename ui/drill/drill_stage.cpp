@@ -319,7 +319,7 @@ bool DrillStage::press_key(int key, Qt::KeyboardModifiers modifiers) {
   if (mirror_hold_->press_key(key, modifiers)) return true;
   QPushButton* const buttons[] = {turn_, mirror_, cutaway_, above_, target_, handpiece_};
   const int index = key - Qt::Key_1;
-  if (modifiers != Qt::NoModifier || index < 0 || index >= static_cast<int>(std::size(buttons)) || !buttons[index]->isEnabled() || !buttons[index]->isVisible()) return false;
+  if ((modifiers & ~Qt::KeypadModifier) != Qt::NoModifier || index < 0 || index >= static_cast<int>(std::size(buttons)) || !buttons[index]->isEnabled() || !buttons[index]->isVisible()) return false;
   buttons[index]->click();
   return true;
 }

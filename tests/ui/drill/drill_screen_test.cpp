@@ -202,7 +202,7 @@ TEST_F(Screen, the_handpiece_is_put_away_by_key_and_stays_away) {
   screen->keep_settings_in(&settings);
   begin("channel-1");
   EXPECT_TRUE(screen->view()->scene().show_handpiece);
-  QTest::keyClick(screen.get(), Qt::Key_6);
+  QTest::keyClick(screen.get(), Qt::Key_6, Qt::KeypadModifier);  // the others press the one above the letters
   EXPECT_TRUE(QTest::qWaitFor([&] { return !screen->view()->scene().show_handpiece; }, kPatienceMs));
   EXPECT_FALSE(settings.handpiece_shown());
   DrillScreen next(ports);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QPushButton>
 #include <QTest>
 
 #include "scenarios/library/library.h"
@@ -40,8 +41,11 @@ TEST(HandpiecePanel, runs_the_coolant_by_its_key_while_it_is_hidden) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&screen));
   ASSERT_TRUE(QTest::qWaitFor([&] { return screen.running(); }, 60'000));
   auto* panel = screen.findChild<HandpiecePanel*>();
+  panel->findChild<QPushButton*>()->setFocus();
+  ASSERT_FALSE(screen.hasFocus());
   QTest::keyClick(&screen, Qt::Key_P, Qt::ControlModifier);
   ASSERT_FALSE(panel->isVisible());
+  EXPECT_TRUE(screen.hasFocus()) << "Space drills, and presses no button";
   QTest::keyClick(&screen, Qt::Key_W);
   EXPECT_EQ(panel->accessibleDescription(), QStringLiteral("Coolant is on")) << "it is read out";
   EXPECT_TRUE(panel->spoken().contains(QStringLiteral("Coolant is on"))) << panel->spoken().toStdString();
