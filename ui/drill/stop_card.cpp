@@ -129,6 +129,7 @@ void StopCard::show_ways() {
   leave_->setHidden(at_end);
   go_on_->setHidden(at_end || stop_ == Stop::silent || stop_ == Stop::undrawn);
   finish_again_->setVisible(stop_ == Stop::record_at_end);
+  if (stop_ == Stop::record_at_end) finish_again_->setFocus();  // Finish had the keys, and is off
 }
 
 bool StopCard::show_falcon(const FalconView* view) {

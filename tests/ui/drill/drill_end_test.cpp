@@ -297,6 +297,7 @@ TEST_F(DrillEnd, a_refused_record_is_finished_again_from_its_card_and_nothing_is
       ASSERT_TRUE(take_rows(*database, "trace_chunks"));
     }
     ASSERT_NE(button(card(), "Try again"), nullptr);
+    EXPECT_TRUE(button(card(), "Try again")->hasFocus()) << "Finish had the keys, and is off";
     button(card(), "Try again")->click();
     EXPECT_FALSE(card().isVisible());
   }
