@@ -125,13 +125,16 @@ def removed_own_tissue(desk):
     def of_stone(scenario):
         scenario["specimen"] = {"volume": "block.nrrd", "voxel_mm": 0.25}
         scenario["tissues"][0]["tissue"] = "16"
+        bands = {"fail_lo": 0, "acc_lo": 0, "ideal_lo": 0, "ideal_hi": 1, "acc_hi": 2, "fail_hi": 3}
+        scenario["rubric"]["criteria"].append({"metric": "removed_16", "weight": 1, "bands": bands})
 
     status, _, err = desk.run("play", desk.small_exercise("of-stone.json", of_stone), "--script", desk.small_script(2), "--db", database,
                               "--out", desk.path("stone"))
     check(status == 0, f"a block of stone is drilled: exit {status}: {err}")
     (row,) = desk.json("history", database, "list")
     status, out, err = desk.run("history", database, "show", row["session"])
-    check(status == 0 and "  pulp stone: " in out and "Material 1: " not in out, f"what was removed: exit {status}: {out}{err}")
+    check(status == 0 and "  pulp stone: " in out and "  pulp stone removed: " in out and "Material 1" not in out,
+          f"what was removed: exit {status}: {out}{err}")
 
 
 with Desk(sys.argv[1]) as the_desk:

@@ -154,7 +154,8 @@ void Desktop::end_attempt(const std::shared_ptr<const SessionResult>& result, co
   const auto session = store_->sessions.find(result->session);
   if (session && session->header.large_text) use_text(TextSize::large);
   const bool readable = store_->history.may_read_result(account_->actor(), result->session).has_value();
-  auto* page = new SelfAssessmentPage(result->scenario, readable ? SelfAssessmentPage::Then::result : SelfAssessmentPage::Then::handed_in);
+  auto* page = new SelfAssessmentPage(result->scenario, readable ? SelfAssessmentPage::Then::result : SelfAssessmentPage::Then::handed_in,
+                                      tissue_names_of(*result));
   const auto go_on = [this, page, result, exercise] {
     show_result(result, exercise);
     drop(page);

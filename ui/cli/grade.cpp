@@ -40,13 +40,12 @@ int give_out(const GradeOptions& o, const SessionResult& result, Store& store, c
   }
   if (!o.json.write(nlohmann::ordered_json::parse(report_file_text(result, store, order)))) return kFailed;
   if (o.json.on_stdout()) return kDone;
-  const Region& whole = result.scenario.target;
   if (order.changed) {
-    print_changed_grade(*order.changed, result.grade, whole, store);
+    print_changed_grade(*order.changed, result, store);
   } else {
-    print_grade(result.grade, whole);
+    print_grade(result);
   }
-  if (result.changes) print_line(plain(changes_text(*result.changes, &whole)));
+  if (result.changes) print_line(plain(changes_text(*result.changes, &result.scenario.target, tissue_names_of(result))));
   return kDone;
 }
 

@@ -79,7 +79,7 @@ std::string report_of(const LoadedScenario& loaded, const FilesBeside& beside, c
   char hash[17];
   std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(result.volume_hash));
   head.volume_hash = hash;
-  return report_json(head, result.grade, report_texts(&loaded.scenario.target));
+  return report_json(head, result.grade, report_texts(result));
 }
 
 Result<Volume, Message> volume_of_file(const std::string& file, const Scenario& scenario, std::shared_ptr<const Specimen> specimen) {
@@ -161,7 +161,7 @@ int grade_volume(const GradeVolumeOptions& o, const JsonOption& json) {
   }
   if (!json.write(nlohmann::ordered_json::parse(text))) return kFailed;
   if (json.on_stdout()) return kDone;
-  print_grade(result.grade, result.scenario.target);
+  print_grade(result);
   return kDone;
 }
 

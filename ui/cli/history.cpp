@@ -98,10 +98,14 @@ nlohmann::ordered_json details_json(const SessionDetails& details) {
   return json;
 }
 
-/// The names that the volume gives its own tissues; empty where none of them was removed. Reading the volume takes tenths of a second.
+/// The names that the volume gives its own tissues; empty where none of them was removed and no tissue's removal is graded. Reading the
+/// volume takes tenths of a second.
 TissueNames names_of(Store& store, const SessionDetails& details) {
   const auto is_own = [](const RemovedTissue& r) { return index_of(r.tissue) >= kTissueKeys.size(); };
-  if (std::ranges::none_of(details.removed, is_own)) return {};
+  const auto is_graded = [&details](std::string_view key) {
+    return details.grade && std::ranges::any_of(details.grade->grade.criteria, [key](const CriterionGrade& c) { return c.id.starts_with(key); });
+  };
+  if (std::ranges::none_of(details.removed, is_own) && !is_graded("removed_")) return {};
   const auto bytes = store.blobs.get(details.session.header.specimen_blob);
   const auto volume = bytes ? specimen_from_bytes(*bytes) : std::nullopt;
   return volume ? volume->names : TissueNames{};
@@ -115,7 +119,7 @@ void print_details(const SessionDetails& details, const TissueNames& names) {
   for (const RemovedTissue& r : details.removed) {
     print_line(plain(QStringLiteral("  %1: %2 mm³").arg(tissue_name(r.tissue, names), format_number(r.mm3, 2))));
   }
-  if (details.grade) print_criteria(details.grade->grade, "  ");
+  if (details.grade) print_criteria(details.grade->grade, "  ", nullptr, names);
 }
 
 int show(const HistoryOptions& o) {

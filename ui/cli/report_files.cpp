@@ -38,9 +38,9 @@ void print_points(const Grade& g) {
   print_line(plain(CliText::tr("%1 of %2 points: %3").arg(format_number(shown_points(g.score), 1), format_number(g.score_max, 0), passed_text(g))));
 }
 
-void print_critical_and_criteria(const Grade& g, const Region& whole) {
-  for (const std::string& critical : g.critical) print_line("! " + plain(critical_name(critical)));
-  print_criteria(g, {}, &whole);
+void print_critical_and_criteria(const SessionResult& result) {
+  for (const std::string& critical : result.grade.critical) print_line("! " + plain(critical_name(critical)));
+  print_criteria(result.grade, {}, &result.scenario.target, tissue_names_of(result));
 }
 
 std::string name_of(Store& store, UserId id) {
@@ -55,7 +55,7 @@ double points_before(const EffectiveGrade& counts, const SignedStatement& s) {
   return criterion == criteria.end() ? 0 : criterion->points;
 }
 
-QString change_text(const EffectiveGrade& counts, const SignedStatement& s, const Region& whole, Store& store) {
+QString change_text(const EffectiveGrade& counts, const SignedStatement& s, const SessionResult& measured, Store& store) {
   const QString who = QString::fromStdString(name_of(store, s.author)), why = QString::fromStdString(s.text);
   if (s.kind == StatementKind::override_critical) {
     //: %1: a critical event, %2: an examiner, %3: the reason.
@@ -65,7 +65,8 @@ QString change_text(const EffectiveGrade& counts, const SignedStatement& s, cons
   const double before = points_of_score(stored, s.criterion, points_before(counts, s));
   //: %1: a criterion, %2: points that count, %3: measured points, %4: an examiner, %5: the reason.
   return CliText::tr("%1: %2 instead of %3 point(s), changed by %4: %5", nullptr, point_forms(before))
-      .arg(metric_name(s.criterion, &whole), format_points(points_of_score(stored, s.criterion, s.points.value_or(0))), format_points(before), who, why);
+      .arg(metric_name(s.criterion, &measured.scenario.target, tissue_names_of(measured)),
+           format_points(points_of_score(stored, s.criterion, s.points.value_or(0))), format_points(before), who, why);
 }
 
 nlohmann::ordered_json effective_json(const EffectiveGrade& counts, Store& store) {
@@ -94,27 +95,28 @@ void show_as_measured(const SessionResult& result, Store& store, ReportData& dat
 
 }  // namespace
 
-void print_criteria(const Grade& grade, const std::string& indent, const Region* whole) {
+void print_criteria(const Grade& grade, const std::string& indent, const Region* whole, const TissueNames& own) {
   const std::vector<ScaledPoints> scaled = scaled_points(grade);
   for (std::size_t i = 0; i < grade.criteria.size(); ++i) {
     const CriterionGrade& c = grade.criteria[i];
     print_line(indent + plain(QStringLiteral("%1/%2  %3: %4")
                            .arg(format_number(scaled[i].points, 1), 5)
-                           .arg(format_number(scaled[i].points_max, 1), metric_name(c.id, whole), reason_text(c))));
+                           .arg(format_number(scaled[i].points_max, 1), metric_name(c.id, whole, own), reason_text(c))));
   }
 }
 
-void print_grade(const Grade& g, const Region& whole) {
-  print_points(g);
-  print_critical_and_criteria(g, whole);
+void print_grade(const SessionResult& result) {
+  print_points(result.grade);
+  print_critical_and_criteria(result);
 }
 
-void print_changed_grade(const EffectiveGrade& counts, const Grade& measured, const Region& whole, Store& store) {
+void print_changed_grade(const EffectiveGrade& counts, const SessionResult& measured, Store& store) {
   print_points(counts.grade);
-  for (const SignedStatement& s : counts.overrides) print_line(plain(change_text(counts, s, whole, store)));
+  for (const SignedStatement& s : counts.overrides) print_line(plain(change_text(counts, s, measured, store)));
+  const Grade& grade = measured.grade;
   print_line(plain(CliText::tr("Measured: %1 of %2 points, %3")
-                       .arg(format_number(shown_points(measured.score), 1), format_number(measured.score_max, 0), passed_text(measured))));
-  print_critical_and_criteria(measured, whole);
+                       .arg(format_number(shown_points(grade.score), 1), format_number(grade.score_max, 0), passed_text(grade))));
+  print_critical_and_criteria(measured);
 }
 
 std::vector<std::filesystem::path> report_files_in(const std::filesystem::path& folder) {

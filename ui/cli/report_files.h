@@ -17,13 +17,14 @@
 namespace cusp::ui {
 
 /// A line of stdout for each criterion, its points as people read them: they sum to the grade's, whatever version graded.
-void print_criteria(const Grade& grade, const std::string& indent, const Region* whole = nullptr);
+/// `own`: the names that the tooth's volume gives its tissues.
+void print_criteria(const Grade& grade, const std::string& indent, const Region* whole = nullptr, const TissueNames& own = {});
 
 /// Points and result on one line of stdout, then critical events and criteria.
-void print_grade(const Grade& grade, const Region& whole);
+void print_grade(const SessionResult& result);
 
 /// The result that counts and each change of an examiner, then the measured result, named so, with its criteria.
-void print_changed_grade(const EffectiveGrade& counts, const Grade& measured, const Region& whole, Store& store);
+void print_changed_grade(const EffectiveGrade& counts, const SessionResult& measured, Store& store);
 
 /// What a report is made for. `changed`: what counts, if an examiner changed the stored result.
 struct ReportOrder {

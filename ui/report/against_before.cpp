@@ -25,7 +25,7 @@ QString with_sign(double points, int decimals) {
 
 }  // namespace
 
-AgainstBefore::AgainstBefore(const Grade& now, const Grade& before, const Region* whole, QWidget* parent) : QWidget(parent) {
+AgainstBefore::AgainstBefore(const Grade& now, const Grade& before, const Region* whole, const TissueNames& own, QWidget* parent) : QWidget(parent) {
   QStringList spoken;
   const std::vector<ScaledPoints> points_now = scaled_points(now), points_before = scaled_points(before);
   for (std::size_t i = 0; i < now.criteria.size(); ++i) {
@@ -37,7 +37,7 @@ AgainstBefore::AgainstBefore(const Grade& now, const Grade& before, const Region
       // Another rubric gives the criterion other points: its share before then counts in the points of now.
       const double most = points_now[i].points_max;
       const double earlier = points_before[j].points_max == most ? points_before[j].points : most * b.points / b.points_max;
-      rows_ += {metric_name(c.id, whole), b.points / b.points_max, c.points / c.points_max, points_now[i].points - earlier};
+      rows_ += {metric_name(c.id, whole, own), b.points / b.points_max, c.points / c.points_max, points_now[i].points - earlier};
     }
   }
   std::vector<double> gained;

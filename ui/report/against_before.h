@@ -7,6 +7,7 @@
 
 #include "scenarios/grading/grade.h"
 #include "ui/modules.h"
+#include "ui/text/names.h"
 
 namespace cusp::ui {
 
@@ -14,8 +15,8 @@ class AgainstBefore : public QWidget {
   Q_OBJECT
 
  public:
-  /// `whole`: the exercise's target, for the titles of several.
-  AgainstBefore(const Grade& now, const Grade& before, const Region* whole = nullptr, QWidget* parent = nullptr);
+  /// `whole`: the exercise's target, for the titles of several. `own`: the names that the tooth's volume gives its tissues.
+  AgainstBefore(const Grade& now, const Grade& before, const Region* whole = nullptr, const TissueNames& own = {}, QWidget* parent = nullptr);
   struct Row {
     QString name;
     double before = 0, now = 0;  // shares of the full points, 0 to 1

@@ -149,7 +149,7 @@ QString CriteriaModel::text_of(const QModelIndex& index) const {
   const bool marked = c.points_max > 0;  // of a target that was left out, what was not measured
   switch (index.column()) {
     case kName: {
-      const QString name = metric_name(c.id, &target_);
+      const QString name = metric_name(c.id, &target_, tissue_names_);
       return change(index.row()).isEmpty() ? name : tr("%1 (changed)").arg(name);
     }
     case kYours:

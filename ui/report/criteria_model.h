@@ -11,6 +11,7 @@
 #include "scenarios/grading/maxima.h"
 #include "storage/records/self_assessment.h"
 #include "ui/modules.h"
+#include "ui/text/names.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/table.h"
 
@@ -34,6 +35,8 @@ class CriteriaModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   /// Beside the points; a table without one hides the column kOwn.
   void set_own(std::optional<SelfAssessment> own) { own_ = std::move(own); }
+  /// The names that the tooth's volume gives its tissues.
+  void set_tissue_names(TissueNames names) { tissue_names_ = std::move(names); }
   /// A narrow table has neither bars nor ±. The card of the chosen row still gives the ±.
   enum class Detail { whole, narrow };
   void set_detail(Detail detail);
@@ -60,6 +63,7 @@ class CriteriaModel : public QAbstractTableModel {
   qsizetype most_size_ = 0;               // characters of the widest of the latter
   Rubric rubric_;
   Region target_;  // of the exercise: titles of several targets
+  TissueNames tissue_names_;
   std::vector<PointsChange> changes_;
   std::optional<SelfAssessment> own_;
   Detail detail_ = Detail::whole;

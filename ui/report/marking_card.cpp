@@ -53,7 +53,7 @@ QString short_text(const Remark& remark) {
 }  // namespace
 
 MarkingCard::MarkingCard(Store& store, const Actor& actor, const ReportData& report, const Ports& ports, QWidget* parent)
-    : Card(MarkingCard::tr("Marking"), {}, parent), store_(store), actor_(actor), ports_(ports), session_(report.result.session), target_(report.result.scenario.target) {
+    : Card(MarkingCard::tr("Marking"), {}, parent), store_(store), actor_(actor), ports_(ports), session_(report.result.session), target_(report.result.scenario.target), tissue_names_(tissue_names_of(report.result)) {
   setAccessibleName(tr("Marking"));
   band_ = new Band;
   body()->addWidget(band_);
@@ -183,7 +183,7 @@ void MarkingCard::set_criterion(const CriterionGrade* criterion) {
     points_label_->setText(tr("Choose a criterion to change its points."));
     return;
   }
-  const QString name = metric_name(criterion->id, &target_);
+  const QString name = metric_name(criterion->id, &target_, tissue_names_);
   points_label_->setText(points_most_ > 0 ? tr("%1, of %2").arg(name, format_points(shown_.points_max)) : tr("%1: no points to change").arg(name));
   points_->setRange(0, shown_.points_max);
   points_->setAccessibleName(tr("Points of %1").arg(name));

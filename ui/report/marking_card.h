@@ -68,6 +68,7 @@ class MarkingCard : public Card {
   const Ports& ports_;
   SessionId session_;
   Region target_;  // of the exercise: titles of several targets
+  TissueNames tissue_names_;
   std::string criterion_;
   std::optional<Vec3> place_mm_;
   std::optional<std::pair<int, std::vector<Uuid>>> seen_;  // grade and changes that the report shows; none while it is read anew

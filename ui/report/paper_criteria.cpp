@@ -24,6 +24,7 @@ class PaperTable {
       : paper_(paper), tokens_(tokens), model_(data.result.grade, data.result.scenario, data.changes),
         widths_(data.own && !data.own->skipped() ? std::span<const double>(kRatedWidths) : std::span<const double>(kWidths)) {
     model_.set_own(data.own);
+    model_.set_tissue_names(tissue_names_of(data.result));
   }
   int rows() const { return model_.rowCount(); }
   void write_heads() {

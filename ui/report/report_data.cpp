@@ -47,7 +47,7 @@ double measured_points(const Grade& stored, const std::string& id) {
   return criterion == stored.criteria.end() ? 0 : points_of_score(stored, id, criterion->points);
 }
 
-QString remark_head(const SignedStatement& s, const Grade& stored, const Region* whole) {
+QString remark_head(const SignedStatement& s, const Grade& stored, const SessionResult& result) {
   switch (s.kind) {
     case StatementKind::comment:
     case StatementKind::withdrawal:
@@ -55,7 +55,7 @@ QString remark_head(const SignedStatement& s, const Grade& stored, const Region*
     case StatementKind::override_points: {
       const double before = measured_points(stored, s.criterion);
       return ReportText::tr("%1: %2 instead of %3 point(s)", nullptr, point_forms(before))
-          .arg(metric_name(s.criterion, whole), format_points(points_of_score(stored, s.criterion, s.points.value_or(0))), format_points(before));
+          .arg(metric_name(s.criterion, &result.scenario.target, tissue_names_of(result)), format_points(points_of_score(stored, s.criterion, s.points.value_or(0))), format_points(before));
     }
     case StatementKind::override_critical: return ReportText::tr("Does not count: %1").arg(critical_name(s.criterion));
     case StatementKind::confirmation: return ReportText::tr("Result confirmed");
@@ -98,7 +98,7 @@ void add_remarks(ReportData& data, Store& store, const Actor& reader, const Sess
     if (s.grade && *s.grade != details.grade->stored.number) continue;
     const bool of_procedure = s.kind == StatementKind::confirmation || s.kind == StatementKind::release;
     if (of_procedure && !may(reader.role, Action::comment)) continue;
-    const QString head = remark_head(s, details.grade->stored.grade, &data.result.scenario.target);
+    const QString head = remark_head(s, details.grade->stored.grade, data.result);
     const bool superseded = changes_result(s) && !among(details.grade->overrides, &SignedStatement::id, s.id);
     out.push_back({s.id, name_of(s.author), local_time(s.at_utc_us), superseded ? ReportText::tr("%1 (superseded)").arg(head) : head,
                    QString::fromStdString(s.text), s.place_mm, superseded});
@@ -158,6 +158,11 @@ void add_before(ReportData& data, Store& store, const Actor& reader) {
 bool changed_by_hand(const ReportData& data, const CriterionGrade& c) { return among(data.changes, &PointsChange::criterion, c.id); }
 
 }  // namespace
+
+const TissueNames& tissue_names_of(const SessionResult& result) {
+  static const TissueNames none;
+  return result.volume ? result.volume->specimen().names() : none;
+}
 
 ReportData gather_report(const SessionResult& result, Store* store, const Actor* reader) {
   ReportData data;
@@ -231,7 +236,8 @@ std::vector<Advice> next_time(const ReportData& data) {
     if (!reason.critical.empty()) continue;
     const CriterionGrade& c = grade.criteria[reason.criterion];
     if (c.reason_code == "little_drilled" || changed_by_hand(data, c)) continue;
-    out.push_back({lost_text(c, reason.lost, &data.result.scenario.target), reason_text(c) + u'.', advice_text(c), c.measure.where_mm,
+    const QString head = lost_text(c, reason.lost, &data.result.scenario.target, tissue_names_of(data.result));
+    out.push_back({head, reason_text(c) + u'.', advice_text(c), c.measure.where_mm,
                    c.points < c.points_max / 2, c.id});
   }
   return out;

@@ -17,6 +17,7 @@
 #include "ui/session/bur_use.h"
 #include "ui/session/exercise_session.h"
 #include "ui/text/critical_events.h"
+#include "ui/text/names.h"
 
 namespace cusp::ui {
 
@@ -59,6 +60,9 @@ struct ReportData {
 
 /// With a null `store` or `reader` the data holds the result alone.
 ReportData gather_report(const SessionResult& result, Store* store, const Actor* reader);
+
+/// The names that the tooth's volume gives its tissues; empty for a result without a volume.
+const TissueNames& tissue_names_of(const SessionResult& result);
 
 /// "Bur 1, round, 0.8 mm, 3.9 mm deep": what is known of a critical event besides its time; empty: nothing.
 QString critical_circumstances(const ReportData& data, const CriticalEvent& event);

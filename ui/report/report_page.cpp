@@ -322,6 +322,7 @@ QWidget* ReportPage::make_criteria() {
   card->body()->setContentsMargins(px(kTableSide), px(6), px(kTableSide), px(6));
   model_ = new CriteriaModel(data_.result.grade, data_.result.scenario, data_.changes, this);
   model_->set_own(data_.own);
+  model_->set_tissue_names(tissue_names_of(data_.result));
   table_ = new Table;
   table_->setAccessibleName(tr("Criteria"));
   table_->setModel(model_);
@@ -342,7 +343,7 @@ void ReportPage::choose(int row) {
   const QString value = m.measured ? measure_text(m) : tr("not measured");
   QString why = model_->change(row);
   if (why.isEmpty()) why = reason_text(c);
-  tooth_->pin(m.where_mm, metric_name(c.id, &data_.result.scenario.target) + u": "_qs + value, why, c.id);
+  tooth_->pin(m.where_mm, metric_name(c.id, &data_.result.scenario.target, tissue_names_of(data_.result)) + u": "_qs + value, why, c.id);
   if (section_) section_->go_through(m.where_mm);
   Q_EMIT criterion_chosen();
 }

@@ -128,7 +128,7 @@ QWidget* ReportPage::make_against() {
   dot(u"dot"_qs, Ink::accent, tr("this attempt, %1").arg(format_points(data_.result.grade.score)));
   legend->addStretch();
   card->body()->addLayout(legend);
-  auto against = std::make_unique<AgainstBefore>(data_.result.grade, *data_.before, &data_.result.scenario.target);
+  auto against = std::make_unique<AgainstBefore>(data_.result.grade, *data_.before, &data_.result.scenario.target, tissue_names_of(data_.result));
   if (against->rows().isEmpty()) return say(tr("That attempt was marked by other criteria: only the points of the two compare."));
   card->body()->addWidget(against_ = against.release());
   card->body()->addStretch();

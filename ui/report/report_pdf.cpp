@@ -202,7 +202,7 @@ double height_of_rest(const QRectF& page, double unit, const ReportData& d, cons
 QString foot_text(const ReportData& d) {
   QString foot = PdfText::tr("Engine %1, marking %2").arg(d.result.engine_version).arg(QString::fromStdString(d.result.grade.evaluator));
   if (!d.result.session.is_nil()) foot += u" · "_qs + QString::fromStdString(d.result.session.text());
-  if (d.result.changes) foot = changes_text(*d.result.changes, &d.result.scenario.target) + u'\n' + foot;
+  if (d.result.changes) foot = changes_text(*d.result.changes, &d.result.scenario.target, tissue_names_of(d.result)) + u'\n' + foot;
   return foot;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "ui/report/report_data.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/plain.h"
 
@@ -16,9 +17,11 @@ std::string hex(std::uint64_t value) {
 
 }  // namespace
 
-ReportTexts report_texts(const Region* whole) {
+ReportTexts report_texts(const SessionResult& result) {
   ReportTexts out;
-  out.label = [whole](const CriterionGrade& c) { return plain(metric_name(c.id, whole)); };
+  out.label = [&result](const CriterionGrade& c) {
+    return plain(metric_name(c.id, &result.scenario.target, tissue_names_of(result)));
+  };
   out.reason = [](const CriterionGrade& c) { return plain(reason_text(c)); };
   return out;
 }
@@ -39,7 +42,7 @@ std::string report_text(const SessionResult& result, Store& store, const Account
   head.duration_s = result.seconds;
   head.state = result.interrupted ? "interrupted" : "finished";
   head.volume_hash = hex(result.volume_hash);
-  return report_json(head, result.grade, report_texts(&result.scenario.target));
+  return report_json(head, result.grade, report_texts(result));
 }
 
 }  // namespace cusp::ui

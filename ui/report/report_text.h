@@ -12,7 +12,7 @@ namespace cusp::ui {
 
 std::string report_text(const SessionResult& result, Store& store, const Account& student);
 
-/// Names and reasons of a report's criteria, in the installed language.
-ReportTexts report_texts(const Region* whole);
+/// Names and reasons of a report's criteria, in the installed language. `result` outlives them.
+ReportTexts report_texts(const SessionResult& result);
 
 }  // namespace cusp::ui

@@ -25,7 +25,7 @@ QString capital(QString text) {
 
 }  // namespace
 
-SelfAssessmentPage::SelfAssessmentPage(const Scenario& scenario, Then then, QWidget* parent) : QWidget(parent) {
+SelfAssessmentPage::SelfAssessmentPage(const Scenario& scenario, Then then, const TissueNames& tissues, QWidget* parent) : QWidget(parent) {
   setProperty("kind", u"page"_qs);
   setAttribute(Qt::WA_StyledBackground);
   setAccessibleName(tr("Own assessment"));
@@ -51,13 +51,13 @@ SelfAssessmentPage::SelfAssessmentPage(const Scenario& scenario, Then then, QWid
   column->addWidget(why);
   band_ = new Band;
   column->addWidget(band_);
-  add_rows(*column, scenario);
+  add_rows(*column, scenario, tissues);
   add_buttons(*column, then);
   count();
   if (!rows_.empty()) setFocusProxy(rows_.front().steps->button(0));
 }
 
-void SelfAssessmentPage::add_rows(QVBoxLayout& column, const Scenario& scenario) {
+void SelfAssessmentPage::add_rows(QVBoxLayout& column, const Scenario& scenario, const TissueNames& tissues) {
   auto* card = new Card;
   card->setAccessibleName(tr("Criteria"));
   auto* grid = new QGridLayout;
@@ -65,7 +65,7 @@ void SelfAssessmentPage::add_rows(QVBoxLayout& column, const Scenario& scenario)
   grid->setVerticalSpacing(px(8));
   grid->setColumnStretch(0, 1);
   for (const Criterion& c : scenario.rubric.criteria) {
-    const QString name = metric_name(c.metric, &scenario.target);
+    const QString name = metric_name(c.metric, &scenario.target, tissues);
     auto* text = new QVBoxLayout;
     text->setSpacing(0);
     for (QLabel* label : {make_label(name), make_label(tr("Full points: %1").arg(wanted_text(c)), TextRole::caption, Weight::regular, "text2")}) {

@@ -10,6 +10,7 @@
 #include "storage/records/self_assessment.h"
 #include "ui/modules.h"
 #include "ui/text/failure_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/half_filled.h"
 
 class QLabel;
@@ -27,7 +28,8 @@ class SelfAssessmentPage : public QWidget, public HalfFilled {
  public:
   /// What follows: the result, or that an assessment is handed in.
   enum class Then : std::uint8_t { result, handed_in };
-  SelfAssessmentPage(const Scenario& scenario, Then then, QWidget* parent = nullptr);
+  /// `tissues`: the names that the tooth's volume gives its tissues.
+  SelfAssessmentPage(const Scenario& scenario, Then then, const TissueNames& tissues = {}, QWidget* parent = nullptr);
   /// As it is chosen now.
   SelfAssessment own() const;
   bool half_filled() const override { return !own().ratings.empty(); }
@@ -49,7 +51,7 @@ class SelfAssessmentPage : public QWidget, public HalfFilled {
     std::string criterion;
     Segments* steps;
   };
-  void add_rows(QVBoxLayout& column, const Scenario& scenario);
+  void add_rows(QVBoxLayout& column, const Scenario& scenario, const TissueNames& tissues);
   void add_buttons(QVBoxLayout& column, Then then);
   void count();
   void rate_next(int step);

@@ -21,9 +21,9 @@ QString target_title(std::string_view name, const Region* whole) {
   return out;
 }
 
-QString metric_name(const std::string& m, const Region* whole) {
+QString metric_name(const std::string& m, const Region* whole, const TissueNames& own) {
   if (const auto [metric, target] = scenarios::split_metric(m); !target.empty())
-    return Text::tr("%1 (%2)", "a measurement of one of several targets").arg(metric_name(std::string(metric)), target_title(target, whole));
+    return Text::tr("%1 (%2)", "a measurement of one of several targets").arg(metric_name(std::string(metric), nullptr, own), target_title(target, whole));
   if (m == "target_removed") return Text::tr("Target removed");
   if (m == "overcut_leeway_floor") return Text::tr("Over-cut within tolerance, floor");
   if (m == "overcut_leeway_side") return Text::tr("Over-cut within tolerance, walls");
@@ -56,11 +56,7 @@ QString metric_name(const std::string& m, const Region* whole) {
   if (m == "dry_cutting") return Text::tr("Tooth overheated");
   if (const QString name = group_metric_name(m); !name.isEmpty()) return name;
   if (m.starts_with("removed_")) {
-    const std::string key = m.substr(8);
-    if (const auto tissue = tissue_from_key(key)) return Text::tr("%1 removed").arg(tissue_name(*tissue));
-    bool number = false;
-    const int code = text(key).toInt(&number);
-    if (number) return Text::tr("%1 removed").arg(tissue_name(static_cast<Tissue>(code)));
+    if (const auto tissue = scenario_tissue_from_key(m.substr(8))) return Text::tr("%1 removed").arg(tissue_name(*tissue, own));
   }
   return text(m);
 }
@@ -183,8 +179,8 @@ int point_forms(double points) { return format_points(points) == format_points(1
 
 QString points_text(double points) { return Text::tr("%1 point(s)", nullptr, point_forms(std::abs(points))).arg(format_points(points)); }
 
-QString lost_text(const CriterionGrade& g, double lost, const Region* whole) {
-  return Text::tr("%1: %2 point(s) lost", nullptr, point_forms(lost)).arg(metric_name(g.id, whole), format_points(lost));
+QString lost_text(const CriterionGrade& g, double lost, const Region* whole, const TissueNames& own) {
+  return Text::tr("%1: %2 point(s) lost", nullptr, point_forms(lost)).arg(metric_name(g.id, whole, own), format_points(lost));
 }
 
 QString counted_text(const Grade& grade, const Rubric& rubric) {
@@ -201,11 +197,11 @@ QString counted_text(const Grade& grade, const Rubric& rubric) {
   return Text::tr("The rest counts for %1, because target is left.").arg(share_text(share));
 }
 
-QString changes_text(const GradeChanges& c, const Region* whole) {
+QString changes_text(const GradeChanges& c, const Region* whole, const TissueNames& own) {
   const QString before = text(c.evaluator_before);
   if (c.none()) return Text::tr("Stored with marking %1: the same points.").arg(before);
   QStringList names;
-  for (const CriterionChange& one : c.criteria) names += metric_name(one.id, whole);
+  for (const CriterionChange& one : c.criteria) names += metric_name(one.id, whole, own);
   for (const std::string& event : c.critical) names += metric_name(event);
   return Text::tr("Stored with marking %1: %2 points. What differs: %3.").arg(before, format_points(c.score_before), names.join(u", "_qs));
 }

@@ -9,12 +9,14 @@
 #include "scenarios/grading/changes.h"
 #include "storage/records/self_assessment.h"
 #include "ui/modules.h"
+#include "ui/text/names.h"
 
 namespace cusp::ui {
 
 /// "Floor depth, deepest" for a key of scenarios/metrics; the key itself for one that has no name yet. Of one of several targets
-/// "Floor depth, deepest (mesial pit)": by its title in `whole`, the exercise's target, else by its name.
-QString metric_name(const std::string& metric, const Region* whole = nullptr);
+/// "Floor depth, deepest (mesial pit)": by its title in `whole`, the exercise's target, else by its name. `own`: the names that the
+/// tooth's volume gives its tissues.
+QString metric_name(const std::string& metric, const Region* whole = nullptr, const TissueNames& own = {});
 /// The title of one of several targets; its name in words where it has none.
 QString target_title(std::string_view name, const Region* whole);
 QString metric_unit(const std::string& metric);
@@ -36,14 +38,14 @@ int point_forms(double points);
 /// "1 point", "1.5 points", "−3 points".
 QString points_text(double points);
 /// "Floor depth, deepest: 1 point lost". `lost`: scaled points (scenarios/grading/maxima.h).
-QString lost_text(const CriterionGrade& grade, double lost, const Region* whole = nullptr);
+QString lost_text(const CriterionGrade& grade, double lost, const Region* whole = nullptr, const TissueNames& own = {});
 /// The one sentence about criteria that count for less because their target is left, with share_counted(), which is not the
 /// share that was removed. Empty where no target is left, or where no criterion has its mark (mark_counted_with_target).
 QString counted_text(const Grade& grade, const Rubric& rubric);
 /// "met", "partly met", "not met": a student's own rating of a criterion.
 QString own_rating_name(OwnRating rating);
 /// A grade that was made anew against the stored one: its evaluator, its points, and the criteria and critical events that differ.
-QString changes_text(const GradeChanges& changes, const Region* whole = nullptr);
+QString changes_text(const GradeChanges& changes, const Region* whole = nullptr, const TissueNames& own = {});
 /// What to do next time, for a criterion that lost points by what was done; empty for the others.
 QString advice_text(const CriterionGrade& grade);
 

@@ -3,6 +3,7 @@
 
 #include "scenarios/teeth/own_tissues.h"
 #include "tests/modules.h"
+#include "ui/text/grade_text.h"
 #include "ui/text/names.h"
 
 namespace cusp::test {
@@ -22,6 +23,22 @@ TEST(TissueNames, of_a_grown_tooth_are_in_the_language_of_the_interface) {
     const auto tissue = static_cast<Tissue>(code);
     EXPECT_EQ(tissue_name(tissue, own_tissue_names()), tissue_name(tissue)) << name;
   }
+}
+
+TEST(TissueNames, of_the_volume_stand_in_the_names_of_criteria) {
+  const TissueNames own = {{16, "pulp stone"}};
+  EXPECT_EQ(metric_name("removed_16", nullptr, own).toStdString(), "pulp stone removed");
+  EXPECT_EQ(metric_name("removed_16").toStdString(), "Material 1 removed");
+  EXPECT_EQ(metric_name("removed_17", nullptr, own).toStdString(), "Material 2 removed");
+  EXPECT_EQ(metric_name("removed_enamel", nullptr, own).toStdString(), "Enamel removed");
+  EXPECT_EQ(metric_name("removed_16@pit", nullptr, own).toStdString(), "pulp stone removed (Pit)");
+  EXPECT_EQ(metric_name("removed_99", nullptr, own).toStdString(), "removed_99") << "no tissue has the code";
+  CriterionGrade lost;
+  lost.id = "removed_16";
+  EXPECT_EQ(lost_text(lost, 1, nullptr, own).toStdString(), "pulp stone removed: 1 point lost");
+  GradeChanges changes;
+  changes.criteria.emplace_back().id = "removed_16";
+  EXPECT_TRUE(changes_text(changes, nullptr, own).contains(QStringLiteral("pulp stone removed")));
 }
 
 }  // namespace

@@ -12,12 +12,14 @@
 
 #include "scenarios/burs/bur_catalogue.h"
 #include "tests/modules.h"
+#include "tests/ui/named_block.h"
 #include "tests/ui/report/sample_report.h"
 #include "ui/text/grade_text.h"
 #include "ui/report/against_before.h"
 #include "ui/report/criteria_model.h"
 #include "ui/report/report_page.h"
 #include "ui/report/report_pdf.h"
+#include "ui/report/report_text.h"
 
 namespace cusp::test {
 namespace {
@@ -129,6 +131,23 @@ TEST(ReportData, losses_come_dearest_first) {
   const auto shown = next_time(data);
   ASSERT_EQ(shown.size(), 2u);
   EXPECT_EQ(shown[0].head.toStdString(), "Target removed: 26.7 points lost");  // 8 of 30
+}
+
+TEST(Report, names_a_tissue_as_the_volume_of_the_attempt_does) {
+  ReportData data = sample(70);
+  CriterionGrade& first = data.result.grade.criteria[0];
+  first.id = "removed_16";
+  first.points = 12;
+  first.reason_code = "too_little";
+  EXPECT_EQ(first_advice(data).head.toStdString(), "Material 1 removed: 26.7 points lost") << "no volume is at hand";
+  data.result.volume = std::make_shared<const Volume>(Specimen::build(named_block(), Reading::banded));
+  EXPECT_EQ(first_advice(data).head.toStdString(), "pulp stone removed: 26.7 points lost");
+  EXPECT_EQ(report_texts(data.result).label(first), "pulp stone removed");
+  CriteriaModel model(data.result.grade, data.result.scenario);
+  model.set_tissue_names(tissue_names_of(data.result));
+  EXPECT_EQ(model.index(0, CriteriaModel::kName).data().toString().toStdString(), "pulp stone removed");
+  const AgainstBefore against(data.result.grade, data.result.grade, nullptr, tissue_names_of(data.result));
+  EXPECT_EQ(against.rows().front().name.toStdString(), "pulp stone removed");
 }
 
 TEST(ReportData, an_opened_pulp_comes_first_with_when_and_where) {

@@ -44,6 +44,13 @@ TEST_F(OwnPage, NothingIsChosenAtFirstAndTheResultWaitsForARating) {
   EXPECT_EQ(*decided, (SelfAssessment{{{scenario.rubric.criteria[0].metric, OwnRating::not_met}}}));
 }
 
+TEST(OwnPageOfAVolume, NamesATissueAsTheVolumeDoes) {
+  Scenario scenario = *load_builtin("channel-1");
+  scenario.rubric.criteria.front().metric = "removed_16";
+  const SelfAssessmentPage page(scenario, SelfAssessmentPage::Then::result, {{16, "pulp stone"}});
+  EXPECT_EQ(page.row(0)->button(0)->accessibleName().toStdString(), "pulp stone removed: met");
+}
+
 TEST_F(OwnPage, KeysRateARowAndGoOnToTheNext) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
   const std::size_t criteria = scenario.rubric.criteria.size();
