@@ -146,6 +146,16 @@ Result<VoxelVolume, ImportFailure> read_nrrd(std::istream& in, std::uintmax_t by
   return read_tissue_and_s(source, *header, name);
 }
 
+std::map<std::uint8_t, std::string> nrrd_names(const std::filesystem::path& file) {
+  std::ifstream in;
+  if (!open_volume_file(file, in)) return {};
+  const std::string name = file.filename().string();
+  const auto text = read_nrrd_text(in, name);
+  if (!text) return {};
+  auto header = parse_nrrd_header(*text, name, {});
+  return header ? std::move(header->names) : std::map<std::uint8_t, std::string>{};
+}
+
 Result<void, ImportFailure> write_nrrd(const VoxelVolume& volume, const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   if (auto r = check_writable(volume, name); !r) return r;

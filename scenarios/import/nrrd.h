@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <iosfwd>
+#include <map>
 #include <string>
 
 #include "engine/base/result.h"
@@ -26,6 +27,9 @@ namespace cusp::scenarios {
 /// The same of a stream of that many bytes, from where it stands.
 [[nodiscard]] Result<VoxelVolume, ImportFailure> read_nrrd(std::istream& in, std::uintmax_t bytes, const std::string& name,
                                                            const VolumeLimits& limits = {});
+
+/// VoxelVolume::names of a file, of its header alone: microseconds. Empty for a header that read_nrrd() refuses.
+[[nodiscard]] std::map<std::uint8_t, std::string> nrrd_names(const std::filesystem::path& file);
 
 /// A WholeFile (whole_file.h): there is the old file or the whole new one. The same volume gives the same bytes. Refuses
 /// (bad_tissue) what read_nrrd would not give back: codes of no tissue, s > 0 in an empty voxel, a name for a code below 16.

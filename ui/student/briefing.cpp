@@ -239,13 +239,14 @@ QWidget* Briefing::make_points() {
   auto* table = new Table;
   auto* model = new QStandardItemModel(this);
   model->setHorizontalHeaderLabels({tr("Criterion"), tr("Full points"), tr("Points")});
+  const TissueNames own = tissue_names_in(folder_, s);
   const std::vector<double> maxima = scaled_maxima(s);
   const int decimals = points_decimals(maxima);
   for (std::size_t i = 0; i < maxima.size(); ++i) {
     const Criterion& c = s.rubric.criteria[i];
     auto* weight = new QStandardItem(format_points_to(maxima[i], decimals));
     weight->setTextAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
-    model->appendRow({new QStandardItem(metric_name(c.metric, &s.target)), new QStandardItem(wanted_text(c)), weight});
+    model->appendRow({new QStandardItem(metric_name(c.metric, &s.target, own)), new QStandardItem(wanted_text(c)), weight});
   }
   model->setHeaderData(2, Qt::Horizontal, static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter), Qt::TextAlignmentRole);
   table->setModel(model);

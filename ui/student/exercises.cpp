@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "scenarios/format/read.h"
+#include "scenarios/import/nrrd.h"
 #include "scenarios/import/whole_file.h"
 #include "scenarios/library/library.h"
 #include "storage/base/files.h"
@@ -94,6 +95,12 @@ Stored<std::filesystem::path> exercise_folder(Store& store, const Exercise& exer
     if (auto written = write_beside(file, *bytes); !written) return std::unexpected(written.error());
   }
   return folder;
+}
+
+std::map<std::uint8_t, std::string> tissue_names_in(const std::filesystem::path& folder, const Scenario& scenario) {
+  const SpecimenSource& source = scenario.specimen;
+  if (!source.generator.empty() || source.volume.empty()) return {};
+  return nrrd_names(folder / source.volume);
 }
 
 }  // namespace cusp::ui

@@ -1,8 +1,11 @@
 /// The exercises of this station: built-in and published ones, each in its newest version. No widget, no text.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "scenarios/format/scenario.h"
@@ -36,6 +39,9 @@ Stored<Exercise> load_exercise(Store& store, VersionId version);
 /// Folder with the exercise's files, written from the records on first use. Empty for an exercise without files.
 Stored<std::filesystem::path> exercise_folder(Store& store, const Exercise& exercise,
                                               const std::filesystem::path& cache);
+
+/// The names that an exercise's volume in `folder` gives its tissues, of the file's header; empty for an exercise without a volume.
+std::map<std::uint8_t, std::string> tissue_names_in(const std::filesystem::path& folder, const Scenario& scenario);
 
 /// Whether an attempt's time brings points.
 bool asks_for_time(const Scenario& scenario);

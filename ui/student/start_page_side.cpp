@@ -103,6 +103,9 @@ void StartPage::add_advice(Card& card, const HistoryRow& last, const Account& ac
   };
   const auto row = std::ranges::find(course_.rows, last.scenario, [](const CourseRow& one) { return one.exercise.scenario.id; });
   const Scenario* scenario = row != course_.rows.end() ? &row->exercise.scenario : nullptr;
+  TissueNames own;
+  if (scenario)
+    if (const auto folder = exercise_folder(store_, row->exercise, volumes_)) own = tissue_names_in(*folder, *scenario);
   for (const CriticalEvent& event : critical_events(grade, &store_, last.session)) {
     add(u"cross"_qs, Ink::bad, critical_text(event, scenario ? scenario->specimen : SpecimenSource()) + u'.', critical_advice(event.key));
   }
@@ -116,7 +119,7 @@ void StartPage::add_advice(Card& card, const HistoryRow& last, const Account& ac
     if (by_hand) continue;
     const QString advice = advice_text(c);
     if (advice.isEmpty() || ++shown > kAdviceShown) continue;
-    add(c.id.starts_with("depth_") ? u"ruler"_qs : u"target"_qs, Ink::text2, metric_name(c.id, scenario ? &scenario->target : nullptr) + u':', advice);
+    add(c.id.starts_with("depth_") ? u"ruler"_qs : u"target"_qs, Ink::text2, metric_name(c.id, scenario ? &scenario->target : nullptr, own) + u':', advice);
   }
   const bool marked = std::ranges::all_of(grade.criteria, [](const CriterionGrade& c) { return c.points_max > 0; });
   const bool full = marked && loss_reasons(grade).size() == grade.critical.size();

@@ -55,6 +55,20 @@ TEST(Nrrd, WriteThenReadIsIdentity) {
   }
 }
 
+TEST(Nrrd, ItsNamesAreReadOfTheHeaderAlone) {
+  const TempFolder folder;
+  const VoxelVolume volume = random_volume(7);
+  ASSERT_TRUE(write_nrrd(volume, folder / "v.nrrd"));
+  EXPECT_EQ(nrrd_names(folder / "v.nrrd"), volume.names);
+  const std::string text = read_text(folder / "v.nrrd");
+  write_text(folder / "cut.nrrd", text.substr(0, text.find("\n\n") + 2));
+  EXPECT_FALSE(read_nrrd(folder / "cut.nrrd"));
+  EXPECT_EQ(nrrd_names(folder / "cut.nrrd"), volume.names);
+  write_text(folder / "other.nrrd", "NRRD0009\n\n");
+  EXPECT_TRUE(nrrd_names(folder / "other.nrrd").empty());
+  EXPECT_TRUE(nrrd_names(folder / "none.nrrd").empty());
+}
+
 TEST(Nrrd, AWholeBlockComesBack) {
   const TempFolder folder;
   const VoxelVolume block = paper_block();

@@ -8,8 +8,11 @@
 #include <QTemporaryDir>
 
 #include "scenarios/library/library.h"
+#include "scenarios/import/nrrd.h"
 #include "tests/modules.h"
+#include "tests/ui/named_block.h"
 #include "ui/student/briefing.h"
+#include "ui/widgets/table.h"
 
 namespace cusp::test {
 namespace {
@@ -63,6 +66,25 @@ TEST(Briefing, begins_the_keyboard_on_a_button_that_can_be_pressed) {
   };
   EXPECT_EQ(first({}), QStringLiteral("Start"));
   EXPECT_EQ(first(QStringLiteral("Your assessment of this exercise is not handed in yet.")), QStringLiteral("Back"));
+}
+
+TEST(Briefing, names_a_tissue_among_the_criteria_as_the_volume_does) {
+  const QTemporaryDir folder;
+  const std::filesystem::path in = folder.path().toStdString();
+  ASSERT_TRUE(write_nrrd(named_block(), in / "block.nrrd"));
+  ThumbnailCache pictures(in / "pictures");
+  Exercise exercise;
+  exercise.scenario = *load_builtin("channel-1");
+  exercise.scenario.specimen = {};
+  exercise.scenario.specimen.volume = "block.nrrd";
+  exercise.scenario.rubric.criteria.front().metric = "removed_16";
+  const auto first_criterion = [&](const std::filesystem::path& volumes) {
+    const Briefing page(exercise, pictures, volumes, nullptr);
+    const auto* table = page.findChild<Table*>();
+    return table != nullptr ? table->model()->index(0, 0).data().toString().toStdString() : std::string();
+  };
+  EXPECT_EQ(first_criterion(in), "pulp stone removed");
+  EXPECT_EQ(first_criterion(in / "elsewhere"), "Material 1 removed") << "the volume is not there";
 }
 
 }  // namespace

@@ -11,9 +11,12 @@
 #include "scenarios/format/content_hash.h"
 #include "scenarios/grading/maxima.h"
 #include "scenarios/format/write.h"
+#include "scenarios/import/nrrd.h"
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "tests/ui/named_block.h"
+#include "ui/session/file_bytes.h"
 #include "ui/student/briefing.h"
 #include "ui/student/interrupted_card.h"
 #include "ui/student/start_page.h"
@@ -348,6 +351,26 @@ TEST_F(StartPageCards, what_an_examiner_changed_is_not_advised_about) {
   ASSERT_TRUE(records.store().statements.override_points(examiner, session, lost.id, 0.5 * lost.points_max, "The block was worn."));
   EXPECT_FALSE(texts_of(*page()).contains(advice_text(lost)));
   EXPECT_TRUE(texts_of(*shown).contains(QStringLiteral("An examiner changed the points"))) << texts_of(*shown).toStdString();
+}
+
+TEST_F(StartPageCards, advice_names_a_tissue_as_the_volume_does) {
+  const std::filesystem::path folder = cache.path().toStdString();
+  ASSERT_TRUE(write_nrrd(named_block(), folder / "block.nrrd"));
+  const auto bytes = bytes_of(folder / "block.nrrd");
+  ASSERT_TRUE(bytes);
+  Store& store = records.store();
+  const auto hash = store.blobs.put(*bytes);
+  ASSERT_TRUE(hash);
+  Scenario imported = *load_builtin("channel-1");
+  imported.specimen = {};
+  imported.specimen.volume = "block.nrrd";
+  ASSERT_TRUE(store.scenarios.publish(examiner, imported, canonical_json(imported), content_hash(imported).bytes, {{"block.nrrd", *hash}}));
+  Grade grade = sample_grade(80);
+  grade.criteria[1].id = "removed_16";
+  grade.criteria[1].reason_code = "too_much";
+  records.graded_attempt(lena, "channel-1", grade, 300);
+  const StartPage start(store, lena, pictures, now, "pointer", folder);
+  EXPECT_TRUE(texts_of(start).contains(QStringLiteral("<b>pulp stone removed:</b>"))) << texts_of(start).toStdString();
 }
 
 TEST_F(StartPageCards, full_points_are_claimed_only_where_every_criterion_has_them) {
