@@ -48,7 +48,8 @@ BandsForm::BandsForm(EditorModel& model, std::size_t index, QWidget* parent) : Q
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(px(8), px(8), px(8), px(8));
   column->setSpacing(px(4));
-  const QString name = metric_name(criterion().metric, &model_.scenario().target), unit = metric_unit(criterion().metric);
+  const QString name = metric_name(criterion().metric, &model_.scenario().target, model_.tissue_names());
+  const QString unit = metric_unit(criterion().metric);
   const auto take = [this](const Bands& bands) { return model_.set_bands(index_, bands); };
   picture_ = new BandPicture({name, unit, possible_of(criterion().metric)}, take, [this] { model_.end_gesture(); });
   column->addWidget(picture_);

@@ -77,7 +77,7 @@ constexpr Named kNames[] = {
 /// The item of a list, by the name that people read.
 QString part_name(const Change& c, const Region* whole, const TissueNames& own) {
   const QString key = QString::fromStdString(c.part);
-  if (c.path.starts_with("/rubric/criteria")) return metric_name(c.part, whole);
+  if (c.path.starts_with("/rubric/criteria")) return metric_name(c.part, whole, own);
   if (c.path.starts_with("/rubric/critical")) return critical_name(c.part);
   if (c.path.starts_with("/tissues")) {
     const auto tissue = scenario_tissue_from_key(c.part);
@@ -113,10 +113,10 @@ QString wanted_in(const Rubric& rubric, const std::string& metric) {
 }
 
 /// What earns full points, now and before; empty if that is the same.
-QString bands_message(const std::string& metric, const Scenario& before, const Scenario& after) {
+QString bands_message(const std::string& metric, const Scenario& before, const Scenario& after, const TissueNames& own) {
   const QString was = wanted_in(before.rubric, metric), is = wanted_in(after.rubric, metric);
   if (was == is) return {};
-  const QString full = ChangeText::tr("Full points for %1").arg(isolate(metric_name(metric, &after.target)));
+  const QString full = ChangeText::tr("Full points for %1").arg(isolate(metric_name(metric, &after.target, own)));
   return ChangeText::tr("%1: %2, was %3").arg(full, isolate(is), isolate(was));
 }
 
@@ -151,7 +151,7 @@ QStringList change_messages(const Scenario& before, const Scenario& after, const
   QStringList out;
   for (const Change& change : compare(before, after)) {
     if (change.path == "/target/paths" && moved_with_floor_alone(before.target, after.target)) continue;
-    const QString bands = change.path == "/rubric/criteria/*/bands" ? bands_message(change.part, before, after) : QString();
+    const QString bands = change.path == "/rubric/criteria/*/bands" ? bands_message(change.part, before, after, own) : QString();
     const bool gone = change.kind == ChangeKind::removed;
     out << (bands.isEmpty() ? change_message(change, gone ? &before.target : &after.target, gone ? TissueNames{} : own) : bands);
   }

@@ -103,10 +103,10 @@ QString exercise_message(const Finding& f, const OwnNames& own, double value, do
   }
   if (c == u"criterion_unmeasured") {
     return CheckText::tr("%1 cannot be measured on this tooth with this target, so nobody would be graded by it. Remove it, or change tooth or target.")
-        .arg(metric_name(f.detail, own.whole));
+        .arg(metric_name(f.detail, own.whole, own.tissues));
   }
   if (c == u"weight_vanishes") {
-    return CheckText::tr("%1 brings less than a twentieth of a point. Give it more, or remove it.").arg(metric_name(f.detail, own.whole));
+    return CheckText::tr("%1 brings less than a twentieth of a point. Give it more, or remove it.").arg(metric_name(f.detail, own.whole, own.tissues));
   }
   if (c == u"text_of_template") {
     return title ? CheckText::tr("The title in %1 is still that of the exercise it was copied from.").arg(language_of(f))
@@ -162,7 +162,7 @@ QString target_message(const Finding& f, const OwnNames& own, double value, doub
   if (c == u"point_off_floor") return CheckText::tr("A point of the target does not lie on its floor.");
   if (c == u"target_scores_less") {
     return CheckText::tr("An attempt that meets the target exactly loses %1 points for %2.")
-        .arg(format_points(arg_of(f, "lost")), metric_name(f.detail, own.whole));
+        .arg(format_points(arg_of(f, "lost")), metric_name(f.detail, own.whole, own.tissues));
   }
   if (c == u"target_opens_pulp") {
     return f.detail == "horn"
@@ -204,7 +204,7 @@ QString tool_message(const Finding& f, const OwnNames& own, double value, double
                                : CheckText::tr("Vibration needs a handpiece.");
   }
   if (c == u"heat_missing") {
-    return CheckText::tr("%1 is graded, but this exercise does not reckon coolant and heat.").arg(metric_name(f.detail, own.whole));
+    return CheckText::tr("%1 is graded, but this exercise does not reckon coolant and heat.").arg(metric_name(f.detail, own.whole, own.tissues));
   }
   return {};
 }
@@ -219,20 +219,20 @@ QString check_message(const Finding& f, const Region* whole, const TissueNames& 
   for (const auto message : {exercise_message, target_message, tool_message})
     if (const QString found = message(f, own, value, limit); !found.isEmpty()) return found;
   if (c == u"critical_twice") {
-    return CheckText::tr("%1 stands twice among what fails the attempt. Switch it off and on again.").arg(metric_name(f.detail, whole));
+    return CheckText::tr("%1 stands twice among what fails the attempt. Switch it off and on again.").arg(metric_name(f.detail, whole, tissues));
   }
   if (c == u"ridge_of_plastic") {
     return CheckText::tr("%1 cannot be measured where tooth and neighbours are of plastic: both are one material. Remove it, or the neighbours.")
-        .arg(metric_name(f.detail, whole));
+        .arg(metric_name(f.detail, whole, tissues));
   }
   if (c == u"no_criteria") return CheckText::tr("Nothing is graded yet. Add a criterion.");
-  if (c == u"target_missing") return CheckText::tr("%1 is of a target that this exercise does not have. Remove it.").arg(metric_name(f.detail, whole));
-  if (c == u"weight_zero") return CheckText::tr("%1 has no points. Give it some, or remove it.").arg(metric_name(f.detail, whole));
+  if (c == u"target_missing") return CheckText::tr("%1 is of a target that this exercise does not have. Remove it.").arg(metric_name(f.detail, whole, tissues));
+  if (c == u"weight_zero") return CheckText::tr("%1 has no points. Give it some, or remove it.").arg(metric_name(f.detail, whole, tissues));
   if (c == u"bands_not_ordered") {
-    return CheckText::tr("The bands of %1 are not in rising order.").arg(metric_name(f.detail, whole));
+    return CheckText::tr("The bands of %1 are not in rising order.").arg(metric_name(f.detail, whole, tissues));
   }
   if (c == u"bands_without_edge") {
-    return CheckText::tr("%1 earns its points whatever is measured. Set what earns them, or remove it.").arg(metric_name(f.detail, whole));
+    return CheckText::tr("%1 earns its points whatever is measured. Set what earns them, or remove it.").arg(metric_name(f.detail, whole, tissues));
   }
   if (c == u"pass_unreachable") {
     return CheckText::tr("The pass mark %1 is out of reach: at most %2 points can be had.")

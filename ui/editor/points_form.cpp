@@ -135,7 +135,7 @@ void PointsForm::show_measuring() {
 
 PointsForm::Row PointsForm::make_row(std::size_t index) {
   const std::string metric = model_.scenario().rubric.criteria[index].metric;
-  const QString name = metric_name(metric, &model_.scenario().target);
+  const QString name = metric_name(metric, &model_.scenario().target, model_.tissue_names());
   Row row{};
   auto* box = new QWidget;
   auto* column = new QVBoxLayout(box);
@@ -204,7 +204,7 @@ void PointsForm::follow_model() {
   QStringList wanted;
   for (const Criterion& c : s.rubric.criteria) {
     metrics.push_back(c.metric);
-    wanted << QString::fromStdString(c.metric) << metric_name(c.metric, &s.target);  // a target may have another title
+    wanted << QString::fromStdString(c.metric) << metric_name(c.metric, &s.target, model_.tissue_names());  // a target may have another title
   }
   if (wanted != built_) build_rows();
   built_ = wanted;
@@ -235,7 +235,7 @@ void PointsForm::follow_model() {
   metric_->clear();
   const auto offer = [&](const std::string& metric) {
     if (std::ranges::find(metrics, metric) == metrics.end()) {
-      metric_->addItem(metric_name(metric, &s.target), QString::fromStdString(metric));
+      metric_->addItem(metric_name(metric, &s.target, model_.tissue_names()), QString::fromStdString(metric));
     }
   };
   for (const MetricKey& known : kMetricKeys) {

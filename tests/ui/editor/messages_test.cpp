@@ -102,6 +102,13 @@ TEST(check_messages, and_changes_name_a_tissue_as_the_volume_does) {
   const QStringList faster = change_messages(before, after, own);
   ASSERT_EQ(faster.size(), 1);
   EXPECT_TRUE(faster.front().contains(QStringLiteral("pulp stone"))) << faster.front().toStdString();
+  EXPECT_TRUE(check_message({Severity::error, "/rubric", "weight_zero", {}, "removed_16"}, nullptr, own).contains(QStringLiteral("pulp stone removed")));
+  Scenario graded = before;
+  graded.rubric.criteria.push_back({"removed_16", 1, {0, 1, 2, 3, 4, 5}});
+  EXPECT_TRUE(change_messages(before, graded, own).join(u'|').contains(QStringLiteral("pulp stone removed")));
+  Scenario wider = graded;
+  wider.rubric.criteria.back().bands = {0, 1, 2, 4, 5, 6};
+  EXPECT_TRUE(change_messages(graded, wider, own).join(u'|').contains(QStringLiteral("pulp stone removed")));
   after.tissues.pop_back();
   EXPECT_FALSE(change_messages(before, after, own).join(u'|').contains(QStringLiteral("pulp stone"))) << "the volume has names of its own tissues alone";
 }
