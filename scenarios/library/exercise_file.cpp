@@ -52,19 +52,6 @@ Read<std::string> content_named(std::string_view mark) {
   return std::string(mark.substr(content.size(), hex));
 }
 
-/// The first error that the checks find; with a volume it is read first.
-Read<void> check(const ExerciseFile& file) {
-  std::optional<SpecimenFacts> facts;
-  if (file.scenario.specimen.generator.empty()) {
-    const auto volume = voxels_of(file);
-    if (!volume) return std::unexpected(ExerciseFileFailure(volume.error()));
-    facts = facts_of(*volume);
-  }
-  std::vector<Finding> findings = validate(file.scenario, facts ? &*facts : nullptr);
-  if (has_error(findings)) return std::unexpected(ExerciseFileFailure(std::move(findings.front())));  // errors come first
-  return {};
-}
-
 void put_name_first(ExerciseFileFailure& failure, const std::filesystem::path& path) {
   if (auto* format = std::get_if<FormatFailure>(&failure))
     format->where = path.filename().string() + (format->where.empty() ? "" : "#" + format->where);
@@ -78,8 +65,19 @@ bool names_exercise_file(std::string_view name) noexcept {
          std::ranges::equal(name.substr(name.size() - kExerciseFileSuffix.size()), kExerciseFileSuffix, {}, small);
 }
 
+Result<void, ExerciseFileFailure> check_exercise_file(const ExerciseFile& file) {
+  std::optional<SpecimenFacts> facts;
+  if (file.scenario.specimen.generator.empty()) {
+    const auto volume = voxels_of(file);
+    if (!volume) return std::unexpected(ExerciseFileFailure(volume.error()));
+    facts = facts_of(*volume);
+  }
+  std::vector<Finding> findings = validate(file.scenario, facts ? &*facts : nullptr);
+  if (has_error(findings)) return std::unexpected(ExerciseFileFailure(std::move(findings.front())));  // errors come first
+  return {};
+}
+
 Result<std::string, ExerciseFileFailure> exercise_file_bytes(const ExerciseFile& file) {
-  if (auto fits = check(file); !fits) return std::unexpected(fits.error());
   Scenario scenario = file.scenario;
   scenario.specimen.volume = tar_name(scenario.specimen.volume);
   const std::string mark = mark_text(content_of(scenario, file.volume)), json = canonical_json(scenario);
@@ -119,7 +117,7 @@ Result<ExerciseFile, ExerciseFileFailure> parse_exercise_file(std::string_view b
     out.volume.assign(first, first + last.data.size());
   }
   if (content_of(out.scenario, out.volume).hex() != *content) return refuse(FormatError::damaged, {});
-  if (auto fits = check(out); !fits) return std::unexpected(fits.error());
+  if (auto fits = check_exercise_file(out); !fits) return std::unexpected(fits.error());
   return out;
 }
 

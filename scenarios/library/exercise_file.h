@@ -36,13 +36,16 @@ struct ExerciseFile {
 /// What is wrong with the file, with the exercise in it, or with its volume.
 using ExerciseFileFailure = std::variant<FormatFailure, Finding, ImportFailure>;
 
-/// The file's bytes. Refuses what the reader would refuse. A volume's name that an archive cannot hold is shortened (tar_name): each
-/// station names its volumes as it likes.
+/// What the reader refuses an exercise for: a volume that cannot be read, else the first error of validate() with it.
+[[nodiscard]] Result<void, ExerciseFileFailure> check_exercise_file(const ExerciseFile& file);
+
+/// The file's bytes, also of an exercise that check_exercise_file() refuses: a version stays as it was published. A volume's name that an
+/// archive cannot hold is shortened (tar_name): each station names its volumes as it likes.
 [[nodiscard]] Result<std::string, ExerciseFileFailure> exercise_file_bytes(const ExerciseFile& file);
 /// Writes a WholeFile (scenarios/import/whole_file.h): no half file bears the name.
 [[nodiscard]] Result<void, ExerciseFileFailure> write_exercise_file(const ExerciseFile& file, const std::filesystem::path& path);
 
-/// Bytes of any origin. An exercise with an error of validate() is refused; a volume is read, and validated with it.
+/// Bytes of any origin. Refuses what check_exercise_file() refuses.
 [[nodiscard]] Result<ExerciseFile, ExerciseFileFailure> parse_exercise_file(std::string_view bytes);
 /// The volume's voxels. Pre: the file has one.
 [[nodiscard]] Result<VoxelVolume, ImportFailure> voxels_of(const ExerciseFile& file);

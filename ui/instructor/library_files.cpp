@@ -10,6 +10,7 @@
 #include <QPointer>
 #include <QUrl>
 #include <algorithm>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -110,19 +111,27 @@ void LibraryPage::save_row(const LibraryRow& row, const QString& title, const QS
     return offer_again({tr("%1 was not written.").arg(QFileInfo(path).fileName()), tr("Another file is still being written or read."), tr("Save again")},
                        [row, title, picked](LibraryPage& page) { page.save_row(row, title, picked); });
   }
-  using Saved = Result<std::monostate, FileFailure>;
-  const auto work = [row, path = path.toStdString(), database = database_](Store& store) -> Saved {
+  using Refusal = std::optional<ExerciseFileFailure>;  // of a published version, which is saved all the same
+  const auto work = [row, path = path.toStdString(), database = database_](Store& store) -> Result<Refusal, FileFailure> {
     const auto file = file_of(store, row, database);
     if (!file) return std::unexpected(FileFailure(file.error()));
+    const auto checked = check_exercise_file(*file);
+    if (!checked && !row.exercise) return std::unexpected(FileFailure(checked.error()));
     if (const auto written = write_exercise_file(*file, path); !written) return std::unexpected(FileFailure(written.error()));
-    return std::monostate{};
+    return checked ? Refusal() : Refusal(checked.error());
   };
-  const QString where = tr("The file is %1. Another station opens it in its library.").arg(QFileInfo(path).fileName());
+  const QString name = QFileInfo(path).fileName();
   const QString what = row.exercise ? tr("Version %1 of %2 is saved as a file.").arg(row.exercise->version_number).arg(title)
                                     : tr("The draft of %1 is saved as a file.").arg(title);
-  const QString more = row.exercise && row.draft ? where + u' ' + tr("Your draft of the next version is not in it.") : where;
-  in_background(tr("%1 is being written.").arg(QFileInfo(path).fileName()), work,
-                [what, more](LibraryPage& page, std::monostate) { page.band_->show_message(Band::Kind::good, what, more); });
+  const QString draft = row.exercise && row.draft ? u' ' + tr("Your draft of the next version is not in it.") : QString();
+  in_background(tr("%1 is being written.").arg(name), work, [what, name, draft, row](LibraryPage& page, const Refusal& refusal) {
+    if (!refusal) return page.band_->show_message(Band::Kind::good, what, tr("The file is %1. Another station opens it in its library.").arg(name) + draft);
+    const auto* finding = std::get_if<Finding>(&*refusal);
+    const QString why = finding ? check_message(*finding, &row.exercise->scenario.target) : describe(*refusal).more;
+    page.band_->show_message(Band::Kind::look, what,
+                             tr("The file is %1 and holds what was published. The checks refuse that now, and so does a station that opens the file: %2 "
+                                "Mend it in the editor and publish it again.").arg(name, why) + draft);
+  });
 }
 
 void LibraryPage::choose_file() {

@@ -207,18 +207,24 @@ TEST_F(ExerciseFiles, ThatStateMoreThanTheyHoldTakeNoMemory) {
   EXPECT_EQ(code_of(rearranged(plain, [&](std::vector<TarEntry>& e) { e[1].data = large; })), "too_large");
 }
 
-TEST_F(ExerciseFiles, WithAnExerciseThatTheChecksRefuseAreNeitherWrittenNorRead) {
-  Scenario bad = volume.scenario;
-  bad.rubric.criteria.clear();
-  const auto refused = exercise_file_bytes({bad, volume.volume});
+TEST_F(ExerciseFiles, WithAnExerciseThatTheChecksRefuseAreWrittenAsItStandsAndNotRead) {
+  EXPECT_TRUE(check_exercise_file(volume));
+  ExerciseFile ungraded = volume;
+  ungraded.scenario.rubric.criteria.clear();
+  const auto refused = check_exercise_file(ungraded);
   ASSERT_FALSE(refused);
   EXPECT_EQ(std::get<Finding>(refused.error()).code, "no_criteria");
+  const auto bytes = exercise_file_bytes(ungraded);
+  ASSERT_TRUE(bytes);
+  EXPECT_EQ(read_tar(*bytes, 3)->at(1).data, canonical_json(ungraded.scenario));
+  EXPECT_EQ(code_of(*bytes), "no_criteria");
   ExerciseFile outside = volume;
   outside.scenario.target.outline.top_mm = 5;
-  EXPECT_EQ(std::get<Finding>(exercise_file_bytes(outside).error()).code, "target_outside") << "as its volume shows";
+  EXPECT_EQ(std::get<Finding>(check_exercise_file(outside).error()).code, "target_outside") << "as its volume shows";
   ExerciseFile broken = volume;
   broken.volume.resize(200);
-  EXPECT_TRUE(std::holds_alternative<ImportFailure>(exercise_file_bytes(broken).error()));
+  EXPECT_TRUE(std::holds_alternative<ImportFailure>(check_exercise_file(broken).error()));
+  EXPECT_EQ(code_of(*exercise_file_bytes(broken)), "volume");
 }
 
 TEST_F(ExerciseFiles, HoldAVolumeWhoseNameNoArchiveCanHoldUnderAShorterOne) {

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "scenarios/blocks/blocks.h"
+#include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/library/library.h"
@@ -373,6 +374,26 @@ TEST_F(LibraryFiles, ADraftThatTheChecksRefuseIsNotSavedAsAFile) {
   from.choose(load_builtin("channel-1")->id);
   from.save_chosen();
   EXPECT_TRUE(from.message().contains(QStringLiteral("Choose another folder"))) << from.message().toStdString();
+}
+
+TEST_F(LibraryFiles, APublishedExerciseThatTheChecksRefuseByNowIsSavedAsItWasPublished) {
+  Scenario published = from.changed(2.2);
+  published.id = ScenarioId::make();
+  published.key.clear();
+  published.rubric.criteria.clear();
+  ASSERT_TRUE(from.records.store().scenarios.publish(from.instructor.actor(), published, canonical_json(published), content_hash(published).bytes));
+  from.show();
+  from.choose(published.id);
+  from.picked = path("ungraded.cusp");
+  from.save_chosen();
+  EXPECT_TRUE(from.message().contains(QStringLiteral("is saved as a file"))) << from.message().toStdString();
+  EXPECT_TRUE(from.message().contains(QStringLiteral("Nothing is graded yet"))) << from.message().toStdString();
+  EXPECT_FALSE(from.message().contains(QStringLiteral("Another station opens it"))) << from.message().toStdString();
+  ASSERT_TRUE(std::filesystem::exists(folder / "ungraded.cusp"));
+  EXPECT_EQ(read_text(folder / "ungraded.cusp"), *exercise_file_bytes({published, {}}));
+  to.open_file(from.picked);
+  EXPECT_TRUE(to.message().contains(QStringLiteral("Nothing is graded yet"))) << to.message().toStdString();
+  EXPECT_TRUE(to.drafts().empty());
 }
 
 TEST_F(LibraryFiles, ASecondFileIsNotDroppedInSilenceWhileOneIsWritten) {
