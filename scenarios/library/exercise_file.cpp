@@ -12,6 +12,7 @@
 #include "scenarios/import/nrrd.h"
 #include "scenarios/import/whole_file.h"
 #include "scenarios/library/tar.h"
+#include "scenarios/specimens/taken_codes.h"
 
 namespace cusp::scenarios {
 namespace {
@@ -70,6 +71,7 @@ Result<void, ExerciseFileFailure> check_exercise_file(const ExerciseFile& file) 
   if (file.scenario.specimen.generator.empty()) {
     const auto volume = voxels_of(file);
     if (!volume) return std::unexpected(ExerciseFileFailure(volume.error()));
+    if (auto taken = refuse_taken_codes(*volume, file.scenario.specimen.volume)) return std::unexpected(ExerciseFileFailure(std::move(*taken)));
     facts = facts_of(*volume);
   }
   std::vector<Finding> findings = validate(file.scenario, facts ? &*facts : nullptr);

@@ -36,7 +36,8 @@ struct ExerciseFile {
 /// What is wrong with the file, with the exercise in it, or with its volume.
 using ExerciseFileFailure = std::variant<FormatFailure, Finding, ImportFailure>;
 
-/// What the reader refuses an exercise for: a volume that cannot be read, else the first error of validate() with it.
+/// What the reader refuses an exercise for: a volume that cannot be read, a tissue of its own with a grown tooth's code
+/// (scenarios/specimens/taken_codes.h), else the first error of validate() with the volume.
 [[nodiscard]] Result<void, ExerciseFileFailure> check_exercise_file(const ExerciseFile& file);
 
 /// The file's bytes, also of an exercise that check_exercise_file() refuses: a version stays as it was published. A volume's name that an

@@ -16,8 +16,8 @@ inline constexpr Tissue kNeighbourEnamel{29};
 inline constexpr Tissue kNeighbourDentine{30};  // with its cementum; its pulp is left out
 inline constexpr Tissue kFirmCariousDentine{31};
 
-/// Of a tooth beside the exercise's own. Pre: a grown tooth's specimen. An import refuses these codes for tissues of its own
-/// (scenarios/specimens/taken_codes.h); the volume of an older exercise may hold them.
+/// Of a tooth beside the exercise's own. Pre: a grown tooth's specimen. An import and an exercise's file may not give these codes to
+/// tissues of their own (scenarios/specimens/taken_codes.h); the volume of an older exercise may hold them.
 constexpr bool is_neighbour(Tissue tissue) noexcept { return tissue == kNeighbourEnamel || tissue == kNeighbourDentine; }
 
 /// Hard and the exercise's own tooth: no gums, bone or ligament, and no neighbour. Pre: as is_neighbour().

@@ -110,6 +110,12 @@ def own_tissue(desk):
     status, out, _ = desk.run("validate", exercise)
     check(status == 1 and "(pulp stone)" in out and "(Plastic)" in out, f"a named tissue that is not described: exit {status}: {out}")
 
+    def on_firm_stone(scenario):
+        scenario["specimen"] = {"volume": "firm.nrrd", "voxel_mm": 0.5}
+
+    status, _, err = desk.run("validate", desk.small_exercise("firm.json", on_firm_stone))
+    check(status == 1 and "the tissue pulp stone has the code" in err, f"an exercise with a code that means firm caries: exit {status}: {err}")
+
 
 def removed_own_tissue(desk):
     """What an attempt removed of it stands by that name too."""

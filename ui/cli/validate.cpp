@@ -12,6 +12,7 @@
 #include "scenarios/library/exercise_file.h"
 #include "scenarios/library/library.h"
 #include "scenarios/specimens/specimens.h"
+#include "scenarios/specimens/taken_codes.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/text.h"
@@ -72,6 +73,7 @@ Result<Found, Message> findings_of(const Input& input, Checked checked) {
   const bool packed = input.file && scenario->specimen.generator.empty();
   const auto volume = packed ? voxels_of(*input.file) : make_specimen(scenario->specimen, input.folder);
   if (!volume) return std::unexpected(describe(volume.error()));
+  if (const auto taken = refuse_taken_codes(*volume, scenario->specimen.volume)) return std::unexpected(describe(*taken));
   const SpecimenFacts facts = facts_of(*volume);
   findings = validate_text(input.text, &facts);
   if (has_error(findings)) return Found{std::move(findings), volume->names};

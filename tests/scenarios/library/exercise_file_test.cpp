@@ -26,13 +26,13 @@ namespace {
 constexpr std::size_t kBlock = 512;  // of a tar archive
 
 /// channel-1 on a block of 0.4 mm voxels, from a volume file.
-ExerciseFile on_a_volume() {
+ExerciseFile on_a_volume(const VoxelVolume& block = dexterity_block(0.4)) {
   const TempFolder folder;
   ExerciseFile file{*load_builtin("channel-1"), {}};
   file.scenario.specimen = {};
   file.scenario.specimen.volume = "block.nrrd";
   file.scenario.specimen.voxel_mm = 0.4;
-  EXPECT_TRUE(write_nrrd(dexterity_block(0.4), folder / "block.nrrd"));
+  EXPECT_TRUE(write_nrrd(block, folder / "block.nrrd"));
   const std::string bytes = read_text(folder / "block.nrrd");
   file.volume.resize(bytes.size());
   std::ranges::transform(bytes, file.volume.begin(), [](char c) { return static_cast<std::byte>(c); });
@@ -225,6 +225,23 @@ TEST_F(ExerciseFiles, WithAnExerciseThatTheChecksRefuseAreWrittenAsItStandsAndNo
   broken.volume.resize(200);
   EXPECT_TRUE(std::holds_alternative<ImportFailure>(check_exercise_file(broken).error()));
   EXPECT_EQ(code_of(*exercise_file_bytes(broken)), "volume");
+}
+
+TEST_F(ExerciseFiles, WithATissueThatHasAGrownToothsCodeAreRefusedAsAnImportIs) {
+  VoxelVolume block = dexterity_block(0.4);
+  std::ranges::replace(block.tissue, Tissue::plastic, Tissue{31});
+  block.names[31] = "pulp stone";
+  const auto bytes = exercise_file_bytes(on_a_volume(block));
+  ASSERT_TRUE(bytes);
+  const auto refused = parse_exercise_file(*bytes);
+  ASSERT_FALSE(refused);
+  const auto* of_volume = std::get_if<ImportFailure>(&refused.error());
+  ASSERT_NE(of_volume, nullptr) << code_of(*bytes);
+  EXPECT_EQ(key_of(of_volume->code), "code_taken");
+  EXPECT_EQ(of_volume->where, "block.nrrd");
+  EXPECT_EQ(of_volume->detail, "pulp stone");
+  block.names[31] = "firm carious dentine";
+  EXPECT_NE(code_of(*exercise_file_bytes(on_a_volume(block))), "volume") << "as Cusp writes it";
 }
 
 TEST_F(ExerciseFiles, HoldAVolumeWhoseNameNoArchiveCanHoldUnderAShorterOne) {

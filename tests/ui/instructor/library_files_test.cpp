@@ -9,6 +9,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QUrl>
+#include <algorithm>
 #include <filesystem>
 #include <thread>
 
@@ -355,6 +356,22 @@ TEST_F(LibraryFiles, WhatIsNoExerciseIsRefusedWithItsCauseAndChangesNothing) {
     to.open_file(path(name));
     EXPECT_TRUE(to.message().contains(QLatin1String(cause))) << name << ": " << to.message().toStdString();
   }
+  EXPECT_TRUE(to.drafts().empty());
+  EXPECT_TRUE(to.opened.empty());
+}
+
+TEST_F(LibraryFiles, AFileWhoseTissueHasAGrownToothsCodeIsRefusedAsAnImportIs) {
+  VoxelVolume block = dexterity_block(0.4);
+  std::ranges::replace(block.tissue, Tissue::plastic, Tissue{29});
+  block.names[29] = "pulp stone";
+  ASSERT_TRUE(write_nrrd(block, folder / "block.nrrd"));
+  ExerciseFile sent{from.changed(2.2), *bytes_of(folder / "block.nrrd")};
+  sent.scenario.specimen = {};
+  sent.scenario.specimen.volume = "block.nrrd";
+  sent.scenario.specimen.voxel_mm = 0.4;
+  ASSERT_TRUE(write_exercise_file(sent, path("stone.cusp").toStdString()));
+  to.open_file(path("stone.cusp"));
+  EXPECT_TRUE(to.message().contains(QStringLiteral("the tissue pulp stone has the code of a grown tooth"))) << to.message().toStdString();
   EXPECT_TRUE(to.drafts().empty());
   EXPECT_TRUE(to.opened.empty());
 }
