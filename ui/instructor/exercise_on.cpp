@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <string>
 
 #include "engine/volume/specimen.h"
 #include "scenarios/format/validate.h"
@@ -15,6 +18,26 @@ namespace cusp::ui {
 namespace {
 
 double to_hundredths(double mm) { return std::round(mm * 100) / 100; }
+
+/// As texts of exercises have a depth: "2.0 mm", "0.67 mm", in German with a comma.
+std::string depth_in_text(double mm, const std::string& language) {
+  std::array<char, 32> digits{};
+  const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), mm, std::chars_format::fixed, 2);
+  std::string out(digits.data(), written.ptr);
+  if (out.ends_with('0')) out.pop_back();
+  if (language == "de") std::ranges::replace(out, '.', ',');
+  return out + " mm";
+}
+
+/// The pattern's briefing with this depth in place of the pattern's.
+LocalText briefing_with_depth(const Scenario& pattern, double depth_mm) {
+  LocalText out = pattern.briefing;
+  for (auto& [language, text] : out) {
+    const std::string before = depth_in_text(pattern.target.outline.depth_mm, language);
+    if (const std::size_t at = text.find(before); at != std::string::npos) text.replace(at, before.size(), depth_in_text(depth_mm, language));
+  }
+  return out;
+}
 
 /// Lays the pattern's channel on the middle of the specimen, with a third of its length and height at most, so that it lies inside. The
 /// bands follow.
@@ -45,7 +68,6 @@ Result<EditorStart, ImportFailure> exercise_on(const VoxelVolume& volume, const 
   s.key.clear();
   s.version = 1;
   s.title = {{"en", name}};
-  s.briefing = {{"en", pattern ? pattern->briefing.at("en") : name}};
   s.specimen = {};
   s.specimen.volume = "specimen.nrrd";
   s.specimen.voxel_mm = stated_voxel_mm(volume.grid.voxel_mm).value_or(volume.grid.voxel_mm);
@@ -55,6 +77,7 @@ Result<EditorStart, ImportFailure> exercise_on(const VoxelVolume& volume, const 
     s.rubric.critical = {"pulp_exposure"};
   }
   fit_target(s, volume, facts);
+  s.briefing = {{"en", pattern ? briefing_with_depth(*pattern, s.target.outline.depth_mm).at("en") : name}};
   const std::filesystem::path folder = drafts_folder(database, s.id);
   std::error_code error;
   std::filesystem::create_directories(folder, error);

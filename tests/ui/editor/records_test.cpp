@@ -161,6 +161,7 @@ TEST_F(EditorRecords, an_exercise_on_an_imported_volume_is_published_with_its_vo
   ASSERT_TRUE(back.has_value());
   model.set_facts(facts_of(*back));
   ASSERT_TRUE(model.publishable()) << (model.findings().empty() ? "" : model.findings().front().code);
+  EXPECT_EQ(model.scenario().briefing.at("en"), load_builtin("channel-1")->briefing.at("en")) << "it is as deep as the pattern";
   const auto version = publish_draft(records.store(), instructor.actor(), model, kept_json);
   ASSERT_TRUE(version.has_value());
   EXPECT_EQ(version->number, 1);
@@ -188,6 +189,7 @@ TEST_F(EditorRecords, an_exercise_on_a_thin_volume_is_as_deep_as_it_allows_with_
   ASSERT_TRUE(start.has_value());
   const Scenario &made = start->draft, pattern = *load_builtin("channel-1");
   EXPECT_DOUBLE_EQ(made.target.outline.depth_mm, 1.0) << "a third of its height";
+  EXPECT_NE(made.briefing.at("en").find("to its floor, 1.0 mm deep"), std::string::npos) << made.briefing.at("en");
   for (std::size_t i = 0; i < made.rubric.criteria.size(); ++i) {
     const Criterion &here = made.rubric.criteria[i], &there = pattern.rubric.criteria[i];
     SCOPED_TRACE(here.metric);
@@ -198,7 +200,7 @@ TEST_F(EditorRecords, an_exercise_on_a_thin_volume_is_as_deep_as_it_allows_with_
   EditorModel model(*start);
   model.set_facts(facts_of(plate));
   EXPECT_TRUE(model.publishable());
-  for (const Finding& f : model.findings()) EXPECT_NE(f.code, "target_scores_less") << f.path;
+  for (const Finding& f : model.findings()) EXPECT_TRUE(f.code != "target_scores_less" && f.code != "text_figure") << f.path << " " << f.code;
 }
 
 TEST_F(EditorRecords, a_published_volume_is_opened_though_another_of_its_name_lies_beside_a_draft) {
