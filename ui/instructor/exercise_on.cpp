@@ -77,7 +77,8 @@ Result<EditorStart, ImportFailure> exercise_on(const VoxelVolume& volume, const 
     s.rubric.critical = {"pulp_exposure"};
   }
   fit_target(s, volume, facts);
-  s.briefing = {{"en", pattern ? briefing_with_depth(*pattern, s.target.outline.depth_mm).at("en") : name}};
+  s.briefing = pattern ? briefing_with_depth(*pattern, s.target.outline.depth_mm) : s.title;
+  for (const auto& [language, text] : s.briefing) s.title[language] = name;
   const std::filesystem::path folder = drafts_folder(database, s.id);
   std::error_code error;
   std::filesystem::create_directories(folder, error);

@@ -161,7 +161,7 @@ TEST_F(EditorRecords, an_exercise_on_an_imported_volume_is_published_with_its_vo
   ASSERT_TRUE(back.has_value());
   model.set_facts(facts_of(*back));
   ASSERT_TRUE(model.publishable()) << (model.findings().empty() ? "" : model.findings().front().code);
-  EXPECT_EQ(model.scenario().briefing.at("en"), load_builtin("channel-1")->briefing.at("en")) << "it is as deep as the pattern";
+  EXPECT_EQ(model.scenario().briefing, load_builtin("channel-1")->briefing) << "it is as deep as the pattern";
   const auto version = publish_draft(records.store(), instructor.actor(), model, kept_json);
   ASSERT_TRUE(version.has_value());
   EXPECT_EQ(version->number, 1);
@@ -190,6 +190,8 @@ TEST_F(EditorRecords, an_exercise_on_a_thin_volume_is_as_deep_as_it_allows_with_
   const Scenario &made = start->draft, pattern = *load_builtin("channel-1");
   EXPECT_DOUBLE_EQ(made.target.outline.depth_mm, 1.0) << "a third of its height";
   EXPECT_NE(made.briefing.at("en").find("to its floor, 1.0 mm deep"), std::string::npos) << made.briefing.at("en");
+  EXPECT_NE(made.briefing.at("de").find("bis zu ihrem Boden, 1,0 mm tief"), std::string::npos) << made.briefing.at("de");
+  EXPECT_EQ(made.title, (LocalText{{"de", "Plate"}, {"en", "Plate"}})) << "a title for each briefing";
   for (std::size_t i = 0; i < made.rubric.criteria.size(); ++i) {
     const Criterion &here = made.rubric.criteria[i], &there = pattern.rubric.criteria[i];
     SCOPED_TRACE(here.metric);
