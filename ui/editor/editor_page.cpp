@@ -228,15 +228,33 @@ void EditorPage::follow_model() {
   const bool failing = has_error(findings);
   const Ink ink = failing ? Ink::bad : wrong > 0 ? Ink::look : Ink::good;
   check_sign_->setPixmap(icon_pixmap(wrong > 0 ? u"warning"_qs : u"check"_qs, ink, 18, devicePixelRatioF()));
-  check_title_->setText(wrong > 0 ? tr("%n thing(s) to look at", nullptr, wrong) : tr("Everything fits"));
   check_aside_->setText(failing                                          ? tr("publishing waits for it")
                         : standing == EditorModel::Standing::unproved    ? tr("the tooth is still being checked")
                         : standing == EditorModel::Standing::unchanged   ? tr("nothing was changed since it was published")
                                                                          : tr("ready to publish"));
   checks_chip_->set(failing ? tr("Check fails") : tr("Checks passed"), failing ? Chip::Kind::bad : Chip::Kind::good);
   checks_chip_->setHidden(check_aside_->isHidden());  // set() shows it in a narrow window too
-  check_->setText(wrong > 0 ? check_message(findings.front(), &s.target, model_->tissue_names()) : QString());
-  show_->setVisible(wrong > 0);
+  shown_check_ = 0;  // an error comes first
+  show_check();
+}
+
+/// One finding, in front of a button that shows the next.
+void EditorPage::show_check() {
+  const auto& findings = model_->findings();
+  const int count = static_cast<int>(findings.size());
+  const bool any = shown_check_ < findings.size();
+  check_title_->setText(count > 1 ? tr("%1 of %2 things to look at").arg(shown_check_ + 1).arg(count)
+                        : any     ? tr("%n thing(s) to look at", nullptr, count)
+                                  : tr("Everything fits"));
+  check_->setText(any ? check_message(findings[shown_check_], &model_->scenario().target, model_->tissue_names()) : QString());
+  show_->setVisible(any);
+  next_check_->setVisible(count > 1);
+}
+
+void EditorPage::show_next_check() {
+  if (model_->findings().empty()) return;
+  shown_check_ = (shown_check_ + 1) % model_->findings().size();
+  show_check();
 }
 
 void EditorPage::show_undo() {
@@ -246,9 +264,9 @@ void EditorPage::show_undo() {
   redo_->setToolTip(model_->stack().canRedo() ? short_tool_tip(tr("Redo: %1 (Ctrl+Y)").arg(model_->stack().redoText())) : tr("Redo (Ctrl+Y)"));
 }
 
-void EditorPage::show_first_check() {
-  if (model_->findings().empty()) return;
-  switch (place_of(model_->findings().front())) {
+void EditorPage::show_place_of_check() {
+  if (shown_check_ >= model_->findings().size()) return;
+  switch (place_of(model_->findings()[shown_check_])) {
     case EditorPlace::title: tabs_->setCurrentIndex(kWordsTab); break;
     case EditorPlace::tooth: show_tooth_form(true); return;
     case EditorPlace::shape: tabs_->setCurrentIndex(kShapeTab); break;

@@ -118,7 +118,9 @@ class EditorPage : public QWidget {
   void show_undo();
   /// Undo or redo, after which the field that had the focus has it again.
   void step_history(QToolButton* button, void (QUndoStack::*step)());
-  void show_first_check();
+  void show_check();
+  void show_next_check();
+  void show_place_of_check();
   void put_target_on_top();
   void show_tooth_form(bool on);
 
@@ -140,10 +142,11 @@ class EditorPage : public QWidget {
   bool proving_ = false;  // before the sheet opens
   int proof_ = 0;         // the newest; what an older one found counts no more
   bool leaves_ = false;   // once the version is published
+  std::size_t shown_check_ = 0;  // of the model's findings
   Busy* busy_ = nullptr;
   QLineEdit* title_ = nullptr;
   Chip *version_ = nullptr, *checks_chip_ = nullptr;
-  QToolButton *undo_ = nullptr, *redo_ = nullptr;
+  QToolButton *undo_ = nullptr, *redo_ = nullptr, *next_check_ = nullptr;
   QPushButton* back_ = nullptr;
   QPushButton *try_ = nullptr, *reference_ = nullptr, *publish_ = nullptr, *stop_proof_ = nullptr, *show_ = nullptr, *change_ = nullptr, *on_top_ = nullptr;
   QLabel *check_title_ = nullptr, *check_aside_ = nullptr, *check_ = nullptr, *check_sign_ = nullptr, *tooth_ = nullptr, *try_key_ = nullptr;

@@ -286,12 +286,15 @@ QWidget* EditorPage::make_checks() {
   check_->setWordWrap(true);
   check_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(check_, 1);
+  next_check_ = make_icon_button(u"chevron_right"_qs, tr("Next check"));
+  row->addWidget(next_check_);
+  connect(next_check_, &QToolButton::clicked, this, &EditorPage::show_next_check);
   show_ = make_button(tr("Show"), ButtonKind::standard, u"target"_qs);
   show_->setAccessibleName(tr("Show where"));
   show_->setToolTip(show_->accessibleName());
   row->addWidget(show_);
   column->addLayout(row);
-  connect(show_, &QPushButton::clicked, this, &EditorPage::show_first_check);
+  connect(show_, &QPushButton::clicked, this, &EditorPage::show_place_of_check);
   return bar;
 }
 
