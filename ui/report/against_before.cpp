@@ -44,7 +44,7 @@ AgainstBefore::AgainstBefore(const Grade& now, const Grade& before, const Region
   for (const Row& row : rows_) gained.push_back(row.points);
   decimals_ = points_decimals(gained);
   for (const Row& row : rows_) spoken += tr("%1 %2").arg(row.name, with_sign(row.points, decimals_));
-  setAccessibleName(tr("Against your best before"));
+  setAccessibleName(tr("Against the best before"));
   setAccessibleDescription(spoken.join(u", "_qs));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }

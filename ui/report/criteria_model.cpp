@@ -94,7 +94,7 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
   if (index.column() == kOwn) return own_data(index.row(), role);
   switch (role) {
     case Qt::TextAlignmentRole:
-      if (index.column() == kYours || index.column() == kPoints) return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
+      if (index.column() == kMeasured || index.column() == kPoints) return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
       return {};
     case IconRole:
       if (index.column() == kPlace) return m.where_mm ? u"target"_qs : QString();
@@ -111,7 +111,7 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
                               : bar_role(index.row()) == Bar::Role::bad ? Ink::bad
                                                                         : Ink::look);
     case SecondRole:
-      if (index.column() == kYours && m.measured && detail_ == Detail::whole) {
+      if (index.column() == kMeasured && m.measured && detail_ == Detail::whole) {
         return measure_uncertainty(m);
       }
       if (index.column() == kPoints && marked) return most_text(index.row());
@@ -132,7 +132,7 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
       }
       if (index.column() == kName && !change(index.row()).isEmpty()) return tr("%1. %2").arg(text_of(index), change(index.row()));
       if (index.column() == kPlace) return m.where_mm ? tr("shows its place on the tooth") : QString();
-      if (index.column() == kYours && m.measured) {
+      if (index.column() == kMeasured && m.measured) {
         return measure_text(m);
       }
       //: Points of a criterion, and the most it can bring.
@@ -152,7 +152,7 @@ QString CriteriaModel::text_of(const QModelIndex& index) const {
       const QString name = metric_name(c.id, &target_, tissue_names_);
       return change(index.row()).isEmpty() ? name : tr("%1 (changed)").arg(name);
     }
-    case kYours:
+    case kMeasured:
       return m.measured ? measure_value(m) : tr("not measured");
     case kWanted:
       for (const Criterion& wanted : rubric_.criteria) {
@@ -166,13 +166,13 @@ QString CriteriaModel::text_of(const QModelIndex& index) const {
 
 QVariant CriteriaModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole && (section == kYours || section == kPoints)) {
+  if (role == Qt::TextAlignmentRole && (section == kMeasured || section == kPoints)) {
     return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
   }
   if (role != Qt::DisplayRole) return {};
   switch (section) {
     case kName: return tr("Criterion");
-    case kYours: return tr("Yours");
+    case kMeasured: return tr("Measured");
     case kWanted: return tr("Full points");
     case kPoints: return tr("Points");
     case kOwn: return tr("Own rating");

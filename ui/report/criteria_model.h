@@ -27,7 +27,7 @@ class CriteriaModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kSign, kName, kYours, kWanted, kPoints, kOwn, kPlace, kColumns };
+  enum Column { kSign, kName, kMeasured, kWanted, kPoints, kOwn, kPlace, kColumns };
   CriteriaModel(const Grade& grade, const Scenario& scenario, std::vector<PointsChange> changes = {}, QObject* parent = nullptr);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

@@ -12,7 +12,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kColumnsShown[] = {CriteriaModel::kName, CriteriaModel::kYours, CriteriaModel::kWanted, CriteriaModel::kPoints, CriteriaModel::kOwn};
+constexpr int kColumnsShown[] = {CriteriaModel::kName, CriteriaModel::kMeasured, CriteriaModel::kWanted, CriteriaModel::kPoints, CriteriaModel::kOwn};
 constexpr std::size_t kPointsAt = 3;  // the points stand beside a bar, on one line
 // Shares of the page's width, with the student's own rating and without it.
 constexpr std::array kRatedWidths = {0.3, 0.19, 0.17, 0.19, 0.15};

@@ -101,7 +101,7 @@ QWidget* ReportPage::make_next_time() {
 }
 
 QWidget* ReportPage::make_against() {
-  auto* card = new Card(tr("Against your best before"));
+  auto* card = new Card(tr("Against the best before"));
   const auto say = [card](const QString& why) {
     QLabel* label = make_label(why, TextRole::body, Weight::regular, "text2");
     label->setWordWrap(true);

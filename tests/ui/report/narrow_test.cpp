@@ -28,9 +28,9 @@ TEST(CriteriaModel, gives_up_bars_and_uncertainty_in_a_narrow_table_and_never_po
   CriteriaModel model(test::sample_grade(81), {});
   model.set_detail(CriteriaModel::Detail::narrow);
   const auto at = [&](int column, int role = Qt::DisplayRole) { return model.index(1, column).data(role); };
-  EXPECT_TRUE(at(CriteriaModel::kYours).toString().contains(QStringLiteral("2.41")));
-  EXPECT_FALSE(at(CriteriaModel::kYours, SecondRole).isValid());
-  EXPECT_TRUE(at(CriteriaModel::kYours, Qt::AccessibleTextRole).toString().contains(QStringLiteral("0.03")));
+  EXPECT_TRUE(at(CriteriaModel::kMeasured).toString().contains(QStringLiteral("2.41")));
+  EXPECT_FALSE(at(CriteriaModel::kMeasured, SecondRole).isValid());
+  EXPECT_TRUE(at(CriteriaModel::kMeasured, Qt::AccessibleTextRole).toString().contains(QStringLiteral("0.03")));
   EXPECT_FALSE(at(CriteriaModel::kPoints, ShareRole).isValid());
   EXPECT_EQ(at(CriteriaModel::kPoints, SecondRole).toString().toStdString(), "/ 33.3");
 }

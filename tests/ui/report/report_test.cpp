@@ -33,8 +33,8 @@ TEST(CriteriaModel, shows_value_uncertainty_and_points_of_each_criterion) {
   const CriteriaModel model(test::sample_grade(81), {});
   ASSERT_EQ(model.rowCount(), 2);
   const auto at = [&](int column, int role = Qt::DisplayRole) { return model.index(1, column).data(role); };
-  EXPECT_EQ(plain(at(CriteriaModel::kYours).toString()), "2.41 mm");
-  EXPECT_EQ(plain(at(CriteriaModel::kYours, SecondRole).toString()), "± 0.03");
+  EXPECT_EQ(plain(at(CriteriaModel::kMeasured).toString()), "2.41 mm");
+  EXPECT_EQ(plain(at(CriteriaModel::kMeasured, SecondRole).toString()), "± 0.03");
   EXPECT_EQ(plain(at(CriteriaModel::kPoints).toString()), "13.3");  // 4 of 10, where the weights sum to 30
   EXPECT_EQ(plain(at(CriteriaModel::kPoints, SecondRole).toString()), "/ 33.3");
   EXPECT_DOUBLE_EQ(at(CriteriaModel::kPoints, ShareRole).toDouble(), 0.4);
@@ -64,10 +64,10 @@ TEST(CriteriaModel, shows_yes_or_no_without_a_number_or_an_uncertainty) {
   grade.criteria[1].id = "contact_broken";
   grade.criteria[1].measure = {"contact_broken", true, 1, 1, "", {}};
   const CriteriaModel model(grade, {});
-  const auto yours = [&](int role) { return plain(model.index(1, CriteriaModel::kYours).data(role).toString()); };
-  EXPECT_EQ(yours(Qt::DisplayRole), "yes");
-  EXPECT_EQ(yours(SecondRole), "");
-  EXPECT_EQ(yours(Qt::AccessibleTextRole), "yes");
+  const auto measured = [&](int role) { return plain(model.index(1, CriteriaModel::kMeasured).data(role).toString()); };
+  EXPECT_EQ(measured(Qt::DisplayRole), "yes");
+  EXPECT_EQ(measured(SecondRole), "");
+  EXPECT_EQ(measured(Qt::AccessibleTextRole), "yes");
 }
 
 TEST(CriteriaModel, what_was_not_measured_is_not_zero) {
@@ -76,7 +76,7 @@ TEST(CriteriaModel, what_was_not_measured_is_not_zero) {
   grade.criteria[1].points = grade.criteria[1].points_max = 0;
   grade.criteria[1].reason_code = "not_measured";
   const CriteriaModel model(grade, {});
-  EXPECT_EQ(model.index(1, CriteriaModel::kYours).data().toString().toStdString(), "not measured");
+  EXPECT_EQ(model.index(1, CriteriaModel::kMeasured).data().toString().toStdString(), "not measured");
   EXPECT_EQ(model.index(1, CriteriaModel::kPoints).data().toString().toStdString(), "no points");
   EXPECT_FALSE(model.index(1, CriteriaModel::kPoints).data(ShareRole).isValid());
 }
@@ -87,7 +87,7 @@ TEST(CriteriaModel, what_was_not_measured_of_a_target_that_was_left_out_shows_th
   grade.criteria[1].points = 0;
   grade.criteria[1].reason_code = "little_drilled";
   const CriteriaModel model(grade, {});
-  EXPECT_EQ(model.index(1, CriteriaModel::kYours).data().toString().toStdString(), "not measured");
+  EXPECT_EQ(model.index(1, CriteriaModel::kMeasured).data().toString().toStdString(), "not measured");
   EXPECT_EQ(plain(model.index(1, CriteriaModel::kPoints).data().toString()), "0.0");  // 66.7 stands in the same column
   EXPECT_EQ(plain(model.index(1, CriteriaModel::kPoints).data(SecondRole).toString()), "/ 33.3");
   EXPECT_EQ(model.index(1, CriteriaModel::kSign).data(IconRole).toString().toStdString(), "minus");

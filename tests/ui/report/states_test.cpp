@@ -89,6 +89,19 @@ TEST(ReportStates, a_best_attempt_that_was_marked_by_other_criteria_compares_by_
   EXPECT_EQ(page.findChild<AgainstBefore*>(), nullptr);
 }
 
+TEST(ReportStates, an_examiner_reads_nothing_of_results_of_his_own) {
+  ReportData data = sample();
+  data.before = sample_grade(74);
+  data.before_when = data.when;
+  const Ports ports = Ports::of_the_system();
+  const ReportPage page(data, ports, ReportPage::TryAgain::hidden, QStringLiteral("Back"));
+  const QString texts = texts_on(page);
+  EXPECT_TRUE(texts.contains(QStringLiteral("Against the best before"))) << texts.toStdString();
+  EXPECT_FALSE(texts.contains(QStringLiteral("your"), Qt::CaseInsensitive)) << texts.toStdString();
+  const CriteriaModel model(data.result.grade, data.result.scenario);
+  EXPECT_EQ(model.headerData(CriteriaModel::kMeasured, Qt::Horizontal, Qt::DisplayRole).toString().toStdString(), "Measured");
+}
+
 TEST(ReportStates, records_that_cannot_be_read_are_named_and_nothing_is_denied) {
   DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt");
