@@ -53,6 +53,18 @@ QString required_depth_text(const Scenario& s) {
   return same ? depth_text(outlines.front()->depth_mm) : lines.join(u'\n');
 }
 
+/// What an attempt is to spare: "Neighbour enamel: cut at most 0.2 mm deep".
+QString protected_text(const Protected& part, const TissueNames& own) {
+  const std::optional<Tissue> tissue = whole_tissue(part);
+  const QString name = tissue ? tissue_name(*tissue, own) : Briefing::tr("A part of the specimen");
+  switch (part.severity) {
+    case Damage::removal: return name;
+    case Damage::touch: return Briefing::tr("%1: not to be laid bare").arg(name);
+    case Damage::depth: return Briefing::tr("%1: cut at most %2 deep").arg(name, depth_text(part.depth_mm));
+  }
+  return name;
+}
+
 }  // namespace
 
 QString burs_text(const Scenario& scenario) {
@@ -222,6 +234,10 @@ void Briefing::add_facts(QVBoxLayout& text) {
   fact(tr("Tolerance zone"), tr("%1 at the floor, %2 at the sides")
                          .arg(format({s.leeway.floor_mm, std::nullopt, u"mm"_qs, 2}),
                               format({s.leeway.side_mm, std::nullopt, u"mm"_qs, 2})));
+  QStringList spared;
+  const TissueNames own = tissue_names_in(folder_, s);
+  for (const Protected& part : s.protected_parts) spared += protected_text(part, own);
+  if (!spared.isEmpty()) fact(tr("Protected"), spared.join(u'\n'));
   fact(tr("Time limit"), s.time_limit_s > 0 ? tr("%1 at most").arg(duration_text(s.time_limit_s))
                          : asks_for_time(s) ? tr("none")
                                             : tr("none; time earns no points"));

@@ -17,8 +17,8 @@
 namespace cusp::test {
 namespace {
 
-/// The value beside "Required depth"; empty without such a line.
-std::string required_depth(const Scenario& scenario) {
+/// The value beside a name of the list of facts; empty without such a line.
+std::string fact(const Scenario& scenario, const QString& of) {
   const QTemporaryDir cache;
   ThumbnailCache pictures(cache.path().toStdString());
   Exercise exercise;
@@ -28,11 +28,13 @@ std::string required_depth(const Scenario& scenario) {
     for (int row = 0; row < form->rowCount(); ++row) {
       const auto* name = qobject_cast<QLabel*>(form->itemAt(row, QFormLayout::LabelRole)->widget());
       const auto* value = qobject_cast<QLabel*>(form->itemAt(row, QFormLayout::FieldRole)->widget());
-      if (name->text() == QStringLiteral("Required depth"))
+      if (name->text() == of)
         return value->text().remove(QChar(0x2066)).remove(QChar(0x2069)).replace(QChar(0x00A0), u' ').toStdString();
     }
   return {};
 }
+
+std::string required_depth(const Scenario& scenario) { return fact(scenario, QStringLiteral("Required depth")); }
 
 TEST(RequiredDepth, is_that_of_the_floor_that_is_measured) {
   EXPECT_EQ(required_depth(*load_builtin("class-1-36")), "1.8 mm");
@@ -52,6 +54,16 @@ TEST(RequiredDepth, of_several_targets_is_given_once_or_for_each) {
   ASSERT_EQ(two.target.parts.size(), 2u);
   two.target.parts[1].outline.depth_mm = 2.2;
   EXPECT_EQ(required_depth(two), "mesial cavity: 1.8 mm\ndistal cavity: 2.2 mm");
+}
+
+TEST(Briefing, names_what_an_attempt_is_to_spare) {
+  const auto spared = [](const Scenario& scenario) { return fact(scenario, QStringLiteral("Protected")); };
+  EXPECT_EQ(spared(*load_builtin("class-1-36")), "Pulp");
+  EXPECT_EQ(spared(*load_builtin("class-2-36-do")), "Pulp\nNeighbour enamel: cut at most 0.2 mm deep\nNeighbour dentine");
+  EXPECT_EQ(spared(*load_builtin("channel-1")), "");
+  Scenario drawn = *load_builtin("class-1-36");
+  drawn.protected_parts = {Protected(Tissue::pulp, Damage::touch), Protected(drawn.target)};
+  EXPECT_EQ(spared(drawn), "Pulp: not to be laid bare\nA part of the specimen");
 }
 
 TEST(Briefing, begins_the_keyboard_on_a_button_that_can_be_pressed) {
