@@ -218,7 +218,8 @@ QString critical_circumstances(const ReportData& data, const CriticalEvent& even
     if (in_use != data.burs.end() && in_use->bur < burs.size()) parts += ReportText::tr("Bur %1").arg(bur_text(burs[in_use->bur]));
   }
   const TargetShape shape(data.result.scenario.target);
-  if (event.place_mm && shape.has_plane() && event.place_mm->z < shape.top_mm())  // a neighbour's crown lies above
+  // Damage of a neighbour is not as deep as it lies below the target's plane.
+  if (event.key == "pulp_exposure" && event.place_mm && shape.has_plane() && event.place_mm->z < shape.top_mm())
     parts += ReportText::tr("%1 deep").arg(format({shape.top_mm() - event.place_mm->z, std::nullopt, u"mm"_qs, 1}));
   return parts.join(ReportText::tr(", "));
 }

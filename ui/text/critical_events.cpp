@@ -28,9 +28,9 @@ std::optional<double> first_pulp_s(Store& store, const SessionId& session) {
 }
 
 /// Of the criteria alone, which a stored attempt keeps: a report names the same place when it is opened again. Where the cut
-/// came nearest to the pulp, it opened it.
+/// came nearest to the pulp, it opened it. What is removed of protected parts has the place of the damage (scenarios/metrics/protected_parts.h).
 std::optional<Vec3> place_of(const std::string& key, const Grade& grade) {
-  const std::string criterion = key == "pulp_exposure" ? "remaining_over_pulp" : key;
+  const std::string criterion = key == "pulp_exposure" ? "remaining_over_pulp" : key == "protected_damage" ? "protected_removed" : key;
   for (const CriterionGrade& c : grade.criteria) {
     if (c.id == criterion && c.measure.measured) return c.measure.where_mm;
   }

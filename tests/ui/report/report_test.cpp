@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "scenarios/burs/bur_catalogue.h"
+#include "scenarios/teeth/landmarks.h"
 #include "tests/modules.h"
 #include "tests/ui/named_block.h"
 #include "tests/ui/report/sample_report.h"
@@ -183,6 +184,23 @@ TEST(ReportData, an_opened_pulp_has_its_bur_and_depth) {
   event.at_s.reset();
   event.place_mm.reset();
   EXPECT_TRUE(critical_circumstances(data, event).isEmpty());
+}
+
+TEST(ReportData, damage_of_a_protected_part_has_the_place_of_what_is_removed_of_it_and_no_depth) {
+  ReportData data = sample();
+  data.result.scenario = *load_builtin("class-2-46-mo");
+  CriterionGrade removed = data.result.grade.criteria[1];
+  removed.id = "protected_removed";
+  removed.measure = {"protected_removed", true, 0.4, 0.02, "mm3", Vec3(5.0, 0.3, -1.0)};
+  data.result.grade.criteria.push_back(removed);
+  data.result.grade.critical = {"protected_damage"};
+  data.critical = critical_events(data.result.grade, nullptr, {});
+  ASSERT_EQ(data.critical.size(), 1u);
+  ASSERT_TRUE(data.critical[0].place_mm);
+  EXPECT_EQ(*data.critical[0].place_mm, Vec3(5.0, 0.3, -1.0));
+  const bool mesial = mesial_x(46) > 0;
+  EXPECT_EQ(plain(first_advice(data).head), mesial ? "Something protected was damaged, mesial" : "Something protected was damaged, distal");
+  EXPECT_EQ(plain(first_advice(data).why), "This fails the attempt, whatever its points.");
 }
 
 TEST(ReportData, a_stored_attempt_knows_where_the_pulp_was_opened_from_its_criteria) {
