@@ -203,6 +203,7 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
     data.when = local_time(details->row.started_utc_us);
     data.kind = details->row.kind;
     data.attempt = details->row.attempt;
+    data.exercise_version = details->row.version_number;
   }
   add_use(data, *store);
   add_before(data, *store, *reader);
@@ -273,6 +274,7 @@ QString circumstances_text(const ReportData& data) {
   parts += duration_text(data.result.seconds);
   if (data.peak_push_n) parts += ReportText::tr("peak force %1").arg(format({*data.peak_push_n, std::nullopt, u"N"_qs, 1}));
   parts += device_name(data.result.device.device_class);
+  if (data.exercise_version > 0) parts += ReportText::tr("version %1 of the exercise").arg(data.exercise_version);
   //: A tooth that an assessment drew for one candidate; the number makes it again.
   if (data.drawn_tooth) parts += ReportText::tr("drawn tooth, seed %1").arg(*data.drawn_tooth);
   if (data.result.stiffness_share < 1.0) {

@@ -40,6 +40,7 @@ struct ReportData {
   QDateTime when;                 // local time of the attempt's start; null when nothing was kept
   SessionKind kind = SessionKind::try_it;
   int attempt = 0;                     // 0 = nothing was kept
+  int exercise_version = 0;            // likewise
   std::optional<double> peak_push_n;
   std::vector<BurSpan> burs;    // times of each bur; empty without records, and where the recording was thinned
   QString thinned;              // when that was, as a sentence; empty: it was not
@@ -84,7 +85,7 @@ QString no_advice_text(const ReportData& data);
 enum class Medium { screen, paper };
 /// "Fri 20 Nov, 10:14 · Practice, attempt 7"; on paper with year and time zone.
 QString occasion_text(const ReportData& data, Medium medium);
-/// "7:38 min · peak force 2.1 N · Mouse and keys".
+/// "7:38 min · peak force 2.1 N · Mouse and keys · version 3 of the exercise".
 QString circumstances_text(const ReportData& data);
 
 /// "Bur 2, round, 1.0 mm: 0:00 to 1:12, 3:05 to 4:10", one line for each used bur; of a thinned recording one line that says so; empty

@@ -89,6 +89,15 @@ TEST(ReportStates, a_best_attempt_that_was_marked_by_other_criteria_compares_by_
   EXPECT_EQ(page.findChild<AgainstBefore*>(), nullptr);
 }
 
+TEST(ReportStates, the_version_that_was_drilled_is_named) {
+  DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt");
+  const ReportData data = report_of(records, records.attempt(lena, "channel-1", 78, 100), lena);
+  EXPECT_TRUE(circumstances_text(data).endsWith(QStringLiteral("version %1 of the exercise").arg(load_builtin("channel-1")->version)))
+      << circumstances_text(data).toStdString();
+  EXPECT_FALSE(circumstances_text(sample()).contains(QStringLiteral("version"))) << "nothing of it is kept";
+}
+
 TEST(ReportStates, an_examiner_reads_nothing_of_results_of_his_own) {
   ReportData data = sample();
   data.before = sample_grade(74);
