@@ -53,6 +53,14 @@ QString required_depth_text(const Scenario& s) {
   return same ? depth_text(outlines.front()->depth_mm) : lines.join(u'\n');
 }
 
+/// Of floor and sides, and a line for each face that has another.
+QString tolerance_text(const Leeway& leeway) {
+  const auto length = [](double mm) { return format({mm, std::nullopt, u"mm"_qs, 2}); };
+  QStringList lines{Briefing::tr("%1 at the floor, %2 at the sides").arg(length(leeway.floor_mm), length(leeway.side_mm))};
+  for (const auto& [face, mm] : leeway.faces) lines += Briefing::tr("%1: %2").arg(face_name(key_of(face)), length(mm));
+  return lines.join(u'\n');
+}
+
 /// What an attempt is to spare: "Neighbour enamel: cut at most 0.2 mm deep".
 QString protected_text(const Protected& part, const TissueNames& own) {
   const std::optional<Tissue> tissue = whole_tissue(part);
@@ -231,9 +239,7 @@ void Briefing::add_facts(QVBoxLayout& text) {
   if (s.expected_time_s > 0) fact(tr("Expected time"), expected_time_text(s.expected_time_s));
   fact(tr("Burs"), burs_text(s));
   if (const QString depth = required_depth_text(s); !depth.isEmpty()) fact(tr("Required depth"), depth);
-  fact(tr("Tolerance zone"), tr("%1 at the floor, %2 at the sides")
-                         .arg(format({s.leeway.floor_mm, std::nullopt, u"mm"_qs, 2}),
-                              format({s.leeway.side_mm, std::nullopt, u"mm"_qs, 2})));
+  fact(tr("Tolerance zone"), tolerance_text(s.leeway));
   QStringList spared;
   const TissueNames own = tissue_names_in(folder_, s);
   for (const Protected& part : s.protected_parts) spared += protected_text(part, own);

@@ -66,6 +66,12 @@ TEST(Briefing, names_what_an_attempt_is_to_spare) {
   EXPECT_EQ(spared(drawn), "Pulp: not to be laid bare\nA part of the specimen");
 }
 
+TEST(Briefing, names_the_tolerance_of_a_face_that_has_its_own) {
+  const auto tolerance = [](const char* key) { return fact(*load_builtin(key), QStringLiteral("Tolerance zone")); };
+  EXPECT_EQ(tolerance("class-1-36"), "0.30 mm at the floor, 0.30 mm at the sides");
+  EXPECT_EQ(tolerance("class-2-36-do"), "0.30 mm at the floor, 0.30 mm at the sides\nother walls: 0.00 mm");
+}
+
 TEST(Briefing, begins_the_keyboard_on_a_button_that_can_be_pressed) {
   const QTemporaryDir cache;
   ThumbnailCache pictures(cache.path().toStdString());
