@@ -173,8 +173,9 @@ void AuditPage::follow_model() {
 /// What the next measurement will leave out or halve.
 void AuditPage::list_choices() {
   std::vector<Choice> choices = choices_of(model_.scenario());
-  if (table_ != nullptr && !listed_.empty() && choices == listed_) return;
+  if (table_ != nullptr && !listed_.empty() && choices == listed_ && model_.tissue_names() == listed_names_) return;
   listed_ = std::move(choices);
+  listed_names_ = model_.tissue_names();  // known once the tooth is read
   show_table();
 }
 
@@ -184,7 +185,7 @@ void AuditPage::show_report() {
   if (!there) listed_.clear();
   follow_model();
   if (!there) return;
-  leanest_->setText(leanest_sentence(*report_));
+  leanest_->setText(leanest_sentence(*report_, model_.tissue_names()));
   use_->setVisible(report_->changed());
   show_table();
 }
@@ -221,7 +222,7 @@ void AuditPage::show_table() {
   }
   const QString open(QChar(0x2013));  // not measured yet
   if (!report_)
-    for (const Choice& choice : listed_) add_line(*grid, {choice_name(choice), {}, "text2", open, open, open});
+    for (const Choice& choice : listed_) add_line(*grid, {choice_name(choice, model_.tissue_names()), {}, "text2", open, open, open});
   else
     add_results(*grid);
   table_place_->addWidget(table_);
@@ -232,7 +233,7 @@ void AuditPage::add_results(QGridLayout& grid) {
   const ModelResult& now = report_->as_set;
   add_line(grid, {tr("As it is set"), tr("for comparison"), "text2", format_number(now.cost.us_a_tick, 0), format_number(mb(now), 0), {}});
   for (const AuditRow& row : report_->rows) {
-    Line line{choice_name(row.choice), verdict_name(row.verdict), ink_of(row.verdict), {}, {}, {}};
+    Line line{choice_name(row.choice, model_.tissue_names()), verdict_name(row.verdict), ink_of(row.verdict), {}, {}, {}};
     if (row.result) {
       line.us = signed_number(row.result->cost.us_more, 0);
       line.mb = signed_number(mb(*row.result) - mb(now), 0);

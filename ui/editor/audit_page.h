@@ -4,7 +4,10 @@
 
 #include <QElapsedTimer>
 #include <QWidget>
+#include <cstdint>
+#include <map>
 #include <memory>
+#include <string>
 
 #include "ui/editor/audit_job.h"
 #include "ui/editor/editor_model.h"
@@ -57,6 +60,7 @@ class AuditPage : public QWidget {
   Busy* busy_ = nullptr;
   std::shared_ptr<const AuditReport> report_;
   std::vector<Choice> listed_;  // in the table while there is no report
+  std::map<std::uint8_t, std::string> listed_names_;  // of the tissues in it
   QElapsedTimer since_;  // the audit began
   QLabel *about_, *aside_, *leanest_title_, *leanest_, *legend_;
   QPushButton *measure_, *use_;

@@ -25,16 +25,16 @@ QString around_name(const std::string& key) {
   return AuditText::tr("The rest of the jaw");
 }
 
-QString tissue_of_key(const std::string& key) {
+QString tissue_of_key(const std::string& key, const TissueNames& own) {
   const auto tissue = scenario_tissue_from_key(key);
-  return tissue ? tissue_name(*tissue) : QString::fromStdString(key);
+  return tissue ? tissue_name(*tissue, own) : QString::fromStdString(key);
 }
 
 /// What was taken, as one reads it after "with".
-QStringList taken(const AuditReport& report) {
+QStringList taken(const AuditReport& report, const TissueNames& own) {
   QStringList out;
   for (const AuditStep& step : report.steps)
-    if (step.taken) out.push_back(choice_name(step.choice));
+    if (step.taken) out.push_back(choice_name(step.choice, own));
   return out;
 }
 
@@ -78,13 +78,13 @@ QString half_sentence(const AuditReport& report) {
 
 }  // namespace
 
-QString choice_name(const Choice& c) {
+QString choice_name(const Choice& c, const TissueNames& own) {
   switch (c.aspect) {
     case Aspect::voxel: return AuditText::tr("Detail of %1").arg(mm(c.instead));
     case Aspect::band: return AuditText::tr("Surface band halved");
     case Aspect::region: return AuditText::tr("Only near the target");
     case Aspect::around: return AuditText::tr("%1 left out").arg(around_name(c.subject));
-    case Aspect::tissue: return AuditText::tr("%1 left out").arg(tissue_of_key(c.subject));
+    case Aspect::tissue: return AuditText::tr("%1 left out").arg(tissue_of_key(c.subject, own));
     case Aspect::friction: return AuditText::tr("Friction left out");
     case Aspect::spindle: return AuditText::tr("Handpiece left out");
     case Aspect::vibration: return AuditText::tr("Vibration left out");
@@ -105,14 +105,14 @@ QString verdict_name(Verdict verdict) {
   return {};
 }
 
-QString leanest_sentence(const AuditReport& report) {
+QString leanest_sentence(const AuditReport& report, const TissueNames& own) {
   const QString half = half_sentence(report);
   if (!report.changed() && !half.isEmpty()) return half + means_sentence(report);
   if (!report.changed())
     return AuditText::tr("Nothing can be left out: the exercise is as lean as its scores allow (within %1 points).")
                .arg(format_points(report.tolerance_points)) +
            means_sentence(report);
-  const QString what = taken(report).join(u", "_qs);
+  const QString what = taken(report, own).join(u", "_qs);
   const bool finer = report.leanest.specimen.voxel_mm < report.scenario.specimen.voxel_mm;
   const QString finding = finer ? AuditText::tr("The detail was too coarse for its scores; now half the voxels change none by more than %1 points: %2.")
                               : AuditText::tr("Every attempt keeps its score within %1 points: %2.");

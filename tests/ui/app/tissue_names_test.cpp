@@ -3,6 +3,7 @@
 
 #include "scenarios/teeth/own_tissues.h"
 #include "tests/modules.h"
+#include "ui/text/audit_text.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/names.h"
 
@@ -39,6 +40,12 @@ TEST(TissueNames, of_the_volume_stand_in_the_names_of_criteria) {
   GradeChanges changes;
   changes.criteria.emplace_back().id = "removed_16";
   EXPECT_TRUE(changes_text(changes, nullptr, own).contains(QStringLiteral("pulp stone removed")));
+}
+
+TEST(TissueNames, of_the_volume_stand_among_the_choices_of_an_audit) {
+  const Choice left_out{Aspect::tissue, "16", 1, 0};
+  EXPECT_EQ(choice_name(left_out, {{16, "pulp stone"}}).toStdString(), "pulp stone left out");
+  EXPECT_EQ(choice_name(left_out).toStdString(), "Material 1 left out");
 }
 
 }  // namespace
