@@ -70,7 +70,7 @@ ExercisesPage::ExercisesPage(Store& store, const Actor& actor, ThumbnailCache& p
     auto* band = new Band;
     outer->addWidget(band);
     band->show_message(Band::Kind::look, tr("%n exercise(s) cannot be read.", nullptr, static_cast<int>(course->unreadable.size())),
-                       tr("The others are below. Publish them again from the editor."));
+                       tr("An instructor publishes them again from the editor. All others are below."));
   }
   make_search();
   standing_ = make_choice(tr("Standing"));

@@ -7,10 +7,13 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "scenarios/format/content_hash.h"
+#include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/student/exercise_cards.h"
 #include "ui/student/exercises_page.h"
+#include "ui/widgets/parts.h"
 
 namespace cusp::test {
 namespace {
@@ -47,6 +50,22 @@ TEST(Cards, take_the_page_along_when_keys_move_over_them) {
   press_until_the_end(Qt::Key_Up);
   ASSERT_EQ(cards->currentIndex(), first);
   EXPECT_TRUE(in_view());
+}
+
+TEST(ExercisesPage, names_who_mends_an_exercise_that_cannot_be_read) {
+  DeskRecords records;
+  Store& store = records.store();
+  const Actor author = store.accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
+  Scenario newer = *load_builtin("channel-1");
+  newer.id = ScenarioId::make();
+  newer.key.clear();
+  ASSERT_TRUE(store.scenarios.publish(author, newer, R"({"format":99})", content_hash(newer).bytes));
+  const QTemporaryDir cache;
+  ThumbnailCache pictures(cache.path().toStdString());
+  const ExercisesPage page(store, records.student("1", "Lena Brandt").actor(), pictures, {});
+  const auto* band = page.findChild<Band*>();
+  ASSERT_NE(band, nullptr);
+  EXPECT_TRUE(band->text().contains(QStringLiteral("An instructor publishes them again"))) << band->text().toStdString();
 }
 
 }  // namespace
