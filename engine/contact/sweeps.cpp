@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/base/lanes.h"
-
 namespace cusp::engine {
 
 namespace {

@@ -1,7 +1,5 @@
 #include "engine/step/guard.h"
 
-#include <cmath>
-
 namespace cusp::engine {
 
 namespace {

@@ -1,7 +1,5 @@
 #include "engine/step/passivity.h"
 
-#include <cmath>
-
 namespace cusp::engine {
 
 namespace {

@@ -3,7 +3,6 @@
 /// Thread: the haptic loop's, or whichever owns the state. No heap, no lock, no I/O in step().
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>

@@ -1,7 +1,5 @@
 // One tick of the penalty and of the gradient proxy: contact, the cut pose, contact again in the cut field. Removal is
 // that of the surface method, but carves every tick and has no memory of past poses.
-#include <cmath>
-
 #include "engine/contact/friction.h"
 #include "engine/contact/gradient_proxy.h"
 #include "engine/contact/penalty.h"

@@ -1,7 +1,5 @@
 #include "engine/step/step_phenomena.h"
 
-#include <cmath>
-
 #include "engine/step/methods.h"
 
 namespace cusp::engine {

@@ -1,6 +1,5 @@
 // One tick of the surface method: contact, the cut pose, contact again with the cut in the memory.
 #include <algorithm>
-#include <cmath>
 
 #include "engine/contact/friction.h"
 #include "engine/contact/sweep_room.h"

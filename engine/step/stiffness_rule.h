@@ -11,7 +11,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "engine/base/haptic_port.h"
 #include "engine/scene/scene.h"
