@@ -109,7 +109,6 @@ FlatHead::FlatHead(const Profile& profile, double voxel_mm) noexcept : profile_{
     const FlatPiece &before = flat_[i - 1], &after = flat_[i];
     const float t = (before.arc ? before.lt : before.nt) - (after.arc ? after.mt : after.nt);
     const float rho = (before.arc ? before.lr : before.nr) - (after.arc ? after.mr : after.nr);
-    smooth_[i] = t * t + rho * rho < 1e-12f;
     const OnHalf at = profile.piece(i).from;
     joint_[i] = {static_cast<float>(at.t / voxel_),
                  static_cast<float>(at.rho / voxel_),
@@ -117,7 +116,7 @@ FlatHead::FlatHead(const Profile& profile, double voxel_mm) noexcept : profile_{
                  before.arc ? -before.lt : -before.nt,
                  after.arc ? after.mr : after.nr,
                  after.arc ? -after.mt : -after.nt,
-                 smooth_[i]};
+                 t * t + rho * rho < 1e-12f};
   }
   if (profile.size() > 1 && !flat_[0].arc && !flat_[1].arc && flat_[0].nt < -1.0f + 1e-6f && flat_[1].nt > 1e-3f) {
     const double cosine = flat_[1].nr, sine = flat_[1].nt;
@@ -145,9 +144,9 @@ void FlatHead::at_hand(OnHalf at, OnHalf half, AtHand& out) const noexcept {
   for (int i = 0; i < n; ++i) {
     if (s.high[i] < s.floor - 0.01) continue;
     // Above a piece, the next one that leaves it smoothly is never nearer, and its line never says more.
-    if ((i > 0 && s.above[i - 1] && smooth_[i]) || (i + 1 < n && s.above[i + 1] && smooth_[i + 1])) continue;
+    if ((i > 0 && s.above[i - 1] && joint_[i].smooth) || (i + 1 < n && s.above[i + 1] && joint_[i + 1].smooth)) continue;
     if (out.pieces > 0) {
-      smooth = smooth && smooth_[i];
+      smooth = smooth && joint_[i].smooth;
       out.joint[out.pieces] = &joint_[i];
     }
     round = round && (!flat_[i].arc || flat_[i].radius > kBandVoxels + 0.25);

@@ -19,7 +19,7 @@ struct FlatPiece {
 /// Where two pieces meet: the point, and the ways along both there.
 struct FlatJoint {
   float t = 0.0f, rho = 0.0f, before_t = 0.0f, before_rho = 0.0f, after_t = 0.0f, after_rho = 0.0f;
-  bool smooth = false;
+  bool smooth = false;  // no corner
 };
 
 /// The pieces and corners that can be nearest in a brick.
@@ -283,7 +283,6 @@ class FlatHead {
   FlatPiece flat_[Profile::kMostPieces];
   FlatJoint joint_[Profile::kMostPieces];   // [i] between piece i - 1 and i
   AcuteRim rim_;
-  bool smooth_[Profile::kMostPieces] = {};  // a piece goes on from the one before without a corner
   bool level_tip_ = false, level_top_ = false;  // level at the pole: no place is beyond it
 };
 
