@@ -98,14 +98,7 @@ void head_points(const Profile& head, Vec3 axis, Vec3 a, Vec3 b, double spacing,
 
 PointShell shell_of(const Bur& bur, Vec3 axis, double head_spacing_mm, double holder_spacing_mm) {
   PointShell out;
-  int least = 0;
-  for (int i = 1; i < 3; ++i)
-    if (std::fabs(axis[i]) < std::fabs(axis[least])) least = i;
-  Vec3 a(0.0);
-  a[least] = 1.0;
-  a -= axis * glm::dot(a, axis);
-  a /= std::sqrt(glm::dot(a, a));
-  const Vec3 b = glm::cross(axis, a);
+  const Vec3 a = across(axis), b = glm::cross(axis, a);
   if (bur.head.ball())
     ball_points(bur.radius_mm, head_spacing_mm, out.head);
   else
