@@ -9,8 +9,7 @@ namespace cusp::engine {
 
 class OccupancyProxy {
  public:
-  OccupancyProxy(const Scene& scene, const Volume& volume)
-      : overlap_(scene, volume, scene.method == Method::occupancy_pivot ? Colliding::pivot : Colliding::whole_tool) {}
+  OccupancyProxy(const Scene& scene, const Volume& volume) : overlap_(scene, volume) {}
 
   VoxelContact solve(const Volume& volume, const Scene& scene, std::size_t bur, Vec3 from, Vec3 device) noexcept;
   ToolOverlap& overlap() noexcept { return overlap_; }

@@ -43,7 +43,7 @@ constexpr const auto& kSquares = kSums<2>;
 
 }  // namespace
 
-RayProxy::RayProxy(const Scene& scene, const Volume& volume) : overlap_(scene, volume, Colliding::whole_tool) {
+RayProxy::RayProxy(const Scene& scene, const Volume& volume) : overlap_(scene, volume) {
   for (const Bur& bur : scene.burs) {
     if (!bur.head.ball()) {
       near_.push_back(near_head(bur, scene.tool_axis, volume.grid().voxel_mm));

@@ -23,8 +23,8 @@ std::vector<VoxelRow> ToolOverlap::rows_of(const std::vector<IVec3>& voxels) {
   return out;
 }
 
-ToolOverlap::ToolOverlap(const Scene& scene, const Volume& volume, Colliding colliding)
-    : occupancy_(volume), tissue_(volume.specimen()), pivot_only_(colliding == Colliding::pivot) {
+ToolOverlap::ToolOverlap(const Scene& scene, const Volume& volume)
+    : occupancy_(volume), tissue_(volume.specimen()), pivot_only_(scene.method == Method::occupancy_pivot) {
   std::size_t most = 0;
   for (const Bur& bur : scene.burs) {
     Tool tool;

@@ -43,12 +43,9 @@ void for_occupied(const Occupancy& occupancy, const VoxelRow& row, IVec3 pivot, 
   }
 }
 
-/// Which of a tool's voxels collide.
-enum class Colliding : std::uint8_t { whole_tool, pivot };
-
 class ToolOverlap {
  public:
-  ToolOverlap(const Scene& scene, const Volume& volume, Colliding colliding);
+  ToolOverlap(const Scene& scene, const Volume& volume);
 
   /// The voxel that holds a place.
   static IVec3 voxel_at(const Grid& grid, Vec3 p) noexcept;
@@ -81,7 +78,7 @@ class ToolOverlap {
   std::vector<IVec3> hit_;
   std::size_t hit_count_ = 0;
   TissueVoxels tissue_;
-  bool pivot_only_ = false;
+  bool pivot_only_ = false;  // Method::occupancy_pivot
 };
 
 }  // namespace cusp::engine

@@ -25,7 +25,7 @@ TEST(ToolOverlap, agrees_with_the_tool_voxel_by_voxel) {
   scene->burs[0].shank_length_mm = 0.7;
   scene->tool_axis = Vec3(0.36, 0.48, 0.8);
   const Volume volume(scene->specimen);
-  const ToolOverlap overlap(*scene, volume, Colliding::whole_tool);
+  const ToolOverlap overlap(*scene, volume);
   const VoxelTool tool = voxelise(scene->burs[0], scene->tool_axis, 0.1);
   const IVec3 size = volume.grid().size;
   int free = 0, hit = 0;
@@ -46,7 +46,7 @@ TEST(ToolOverlap, agrees_with_the_tool_voxel_by_voxel) {
 TEST(ToolOverlap, by_the_pivot_alone_only_the_pivot_counts) {
   const auto scene = scene_of(from_distance(4.0, 0.1, lumps), Method::occupancy_pivot, 0.3);
   const Volume volume(scene->specimen);
-  const ToolOverlap overlap(*scene, volume, Colliding::pivot);
+  const ToolOverlap overlap(*scene, volume);
   for (int x = 0; x < volume.grid().size.x; ++x) EXPECT_EQ(overlap.free(0, {x, 20, 21}), !volume.occupied({x, 20, 21}));
 }
 
