@@ -26,30 +26,18 @@ GradientProxy::GradientProxy(const Scene& scene, const Volume& volume) : axis_(s
   for (const Bur& bur : scene.burs) {
     // At least three by three points a side, so that the best of them leads to the foot.
     const double spacing = std::min(kBallVoxels * voxel, 0.45 * bur.radius_mm);
-    shells_.push_back({shell_of(bur, scene.tool_axis, spacing, kHolderVoxels * voxel), head_reach(bur),
-                       std::max(bur.neck_radius_mm, bur.shank_radius_mm)});
+    shells_.push_back(shell_of(bur, scene.tool_axis, spacing, kHolderVoxels * voxel));
   }
 }
 
 GradientProxy::Scan GradientProxy::scan(const TrilinearField& field, std::size_t bur, Vec3 y) const noexcept {
-  const Shell& shell = shells_[bur];
   Scan out;
   out.gap_mm = field.band_mm();
-  if (box_.contains(y, shell.reach_mm)) {
-    for (const PointShell::HeadPoint& point : shell.points.head) {
-      if (!box_.contains(y + point.offset_mm)) continue;
-      const double d = field.at(y + point.offset_mm);
-      if (d < out.gap_mm) out = {point.offset_mm, d};
-    }
-  }
-  const double leaves = box_.leaves(y, axis_, shell.holder_radius_mm);
-  for (const PointShell::HolderPoint& point : shell.points.holder) {
-    if (point.along_mm > leaves) break;
-    const Vec3 p = y + point.offset_mm;
-    if (!box_.contains(p)) continue;
-    const double d = field.at(p);
+  const auto take = [&](const auto& point, Vec3 place) {
+    const double d = field.at(place);
     if (d < out.gap_mm) out = {point.offset_mm, d};
-  }
+  };
+  shells_[bur].for_points_in(box_, y, take, take);
   return out;
 }
 

@@ -50,11 +50,7 @@ class GradientProxy {
   Scan scan(const TrilinearField& field, std::size_t bur, Vec3 y) const noexcept;
   Foot foot(const TrilinearField& field, const Bur& bur, Vec3 y, Vec3 offset) const noexcept;
 
-  struct Shell {
-    PointShell points;
-    double reach_mm = 0.0, holder_radius_mm = 0.0;
-  };
-  std::vector<Shell> shells_;  // one for each bur of the scene
+  std::vector<PointShell> shells_;  // one for each bur of the scene
   Vec3 axis_;
   TissueBox box_;
 };

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "engine/contact/trilinear_field.h"
-#include "engine/tool/swept.h"
 
 namespace cusp::engine {
 
@@ -14,6 +13,51 @@ constexpr double kHolderVoxels = 3.0;  // spacing of the neck's and shank's poin
 constexpr int kHalvings = 40;          // of the bur's diameter: to 1e-12 mm
 constexpr int kChords = 24;            // of another head's depth
 constexpr double kSettledMm = 1e-6;
+
+/// What the points of a shell in tissue push. `head`: the sum of the head's; `holder`: of neck and shank, unscaled.
+struct Pushes {
+  Vec3 head{0.0}, holder{0.0};
+  double holder_depth_mm = 0.0;
+  std::array<double, kTissueCodes> of{};  // by tissue
+};
+
+Pushes pushes_of(const TrilinearField& field, const PointShell& shell, const TissueBox& box, Vec3 device) noexcept {
+  Pushes out;
+  const double even = shell.holder.empty() ? 0.0 : 1.0 / static_cast<double>(shell.holder.size());
+  const auto of_head = [&](const PointShell::HeadPoint& point, Vec3 place) {
+    const double d = field.at(place);
+    if (d >= 0.0) return;
+    const double push = -d * point.share;
+    out.head -= point.out * push;
+    out.of[index_of(field.tissue(place))] += push;
+  };
+  const auto of_holder = [&](const PointShell::HolderPoint& point, Vec3 place) {
+    const double d = field.at(place);
+    if (d >= 0.0) return;
+    out.holder += point.out * d;
+    out.holder_depth_mm = std::max(out.holder_depth_mm, -d);
+    out.of[index_of(field.tissue(place))] -= d * even;
+  };
+  shell.for_points_in(box, device, of_head, of_holder);
+  return out;
+}
+
+/// The heaviest tissue, and the stiffness as the mean over the pushes.
+void take_tissue(const Scene& scene, const Pushes& pushes, BandedContact& out) noexcept {
+  double weight = 0.0, stiff = 0.0, heaviest = 0.0;
+  for (std::size_t t = 0; t < pushes.of.size(); ++t) {
+    const double push = pushes.of[t];
+    if (push <= 0.0) continue;
+    weight += push;
+    stiff += push * scene.tissues[t].stiffness_n_per_mm;
+    if (push > heaviest) {
+      heaviest = push;
+      out.tissue = static_cast<Tissue>(t);
+    }
+  }
+  out.stiffness_n_per_mm = stiff / weight;
+}
+
 }  // namespace
 
 Penalty::Penalty(const Scene& scene, const Volume& volume)
@@ -23,7 +67,6 @@ Penalty::Penalty(const Scene& scene, const Volume& volume)
     Shell shell;
     shell.points = shell_of(bur, scene.tool_axis, voxel, kHolderVoxels * voxel);  // a point a voxel, as in VPS
     shell.radius_mm = bur.radius_mm;
-    shell.reach_mm = head_reach(bur);
     shell.deepest_mm = std::min(2.0 * bur.radius_mm, bur.radius_mm + 0.5 * band_mm_);
     // A flat end's points all reach the band's end at once: a deeper push is not measured.
     if (!bur.head.ball()) shell.deepest_mm = band_mm_;
@@ -85,56 +128,6 @@ double Penalty::depth_of(const Shell& shell, Vec3 normal, double sum_mm) const n
   return 0.5 * (low + high);
 }
 
-/// What the points of a shell in tissue push. `head`: the sum of the head's; `holder`: of neck and shank, unscaled.
-struct Penalty::Pushes {
-  Vec3 head{0.0}, holder{0.0};
-  double holder_depth_mm = 0.0;
-  std::array<double, kTissueCodes> of{};  // by tissue
-};
-
-void Penalty::push_head(const TrilinearField& field, const Shell& shell, Vec3 device, Pushes& out) const noexcept {
-  if (!box_.contains(device, shell.reach_mm)) return;
-  for (const PointShell::HeadPoint& point : shell.points.head) {
-    const Vec3 p = device + point.offset_mm;
-    if (!box_.contains(p)) continue;
-    const double d = field.at(p);
-    if (d >= 0.0) continue;
-    const double push = -d * point.share;
-    out.head -= point.out * push;
-    out.of[index_of(field.tissue(p))] += push;
-  }
-}
-
-void Penalty::push_holder(const TrilinearField& field, const Shell& shell, Vec3 device, double leaves_mm,
-                          Pushes& out) const noexcept {
-  const double even = shell.points.holder.empty() ? 0.0 : 1.0 / static_cast<double>(shell.points.holder.size());
-  for (const PointShell::HolderPoint& point : shell.points.holder) {
-    if (point.along_mm > leaves_mm) break;
-    const Vec3 p = device + point.offset_mm;
-    if (!box_.contains(p)) continue;
-    const double d = field.at(p);
-    if (d >= 0.0) continue;
-    out.holder += point.out * d;
-    out.holder_depth_mm = std::max(out.holder_depth_mm, -d);
-    out.of[index_of(field.tissue(p))] -= d * even;
-  }
-}
-
-void Penalty::take_tissue(const Scene& scene, const Pushes& pushes, BandedContact& out) noexcept {
-  double weight = 0.0, stiff = 0.0, heaviest = 0.0;
-  for (std::size_t t = 0; t < pushes.of.size(); ++t) {
-    const double push = pushes.of[t];
-    if (push <= 0.0) continue;
-    weight += push;
-    stiff += push * scene.tissues[t].stiffness_n_per_mm;
-    if (push > heaviest) {
-      heaviest = push;
-      out.tissue = static_cast<Tissue>(t);
-    }
-  }
-  out.stiffness_n_per_mm = stiff / weight;
-}
-
 BandedContact Penalty::solve(const Volume& volume, const Scene& scene, std::size_t bur, Vec3 /*from*/, Vec3 device,
                              Vec3& /*kept*/) noexcept {
   BandedContact out;
@@ -142,10 +135,7 @@ BandedContact Penalty::solve(const Volume& volume, const Scene& scene, std::size
   const Shell& shell = shells_[bur];
   const Bur& shape = scene.burs[bur];
   const TrilinearField field(volume);
-  Pushes pushes;
-  push_head(field, shell, device, pushes);
-  push_holder(field, shell, device, box_.leaves(device, scene.tool_axis, std::max(shape.neck_radius_mm, shape.shank_radius_mm)),
-              pushes);
+  const Pushes pushes = pushes_of(field, shell.points, box_, device);
 
   Vec3 push(0.0);
   const double sum = length_of(pushes.head);

@@ -19,8 +19,6 @@
 
 namespace cusp::engine {
 
-class TrilinearField;
-
 class Penalty {
  public:
   Penalty(const Scene& scene, const Volume& volume);
@@ -41,15 +39,9 @@ class Penalty {
   struct Shell {
     PointShell points;
     double radius_mm = 0.0;
-    double reach_mm = 0.0;    // of the head from the pivot
     double deepest_mm = 0.0;  // the plane's response rises up to here
     double most = 0.0;        // and is this there
   };
-  struct Pushes;
-  void push_head(const TrilinearField& field, const Shell& shell, Vec3 device, Pushes& out) const noexcept;
-  void push_holder(const TrilinearField& field, const Shell& shell, Vec3 device, double leaves_mm, Pushes& out) const noexcept;
-  /// The heaviest tissue, and the stiffness as the mean over the pushes.
-  static void take_tissue(const Scene& scene, const Pushes& pushes, BandedContact& out) noexcept;
   double response(const Shell& shell, double depth_mm) const noexcept;
   double response(const Shell& shell, Vec3 normal, double lowest_mm, double depth_mm) const noexcept;
   double depth_of(const Shell& shell, double sum_mm) const noexcept;

@@ -98,6 +98,9 @@ void head_points(const Profile& head, Vec3 axis, Vec3 a, Vec3 b, double spacing,
 
 PointShell shell_of(const Bur& bur, Vec3 axis, double head_spacing_mm, double holder_spacing_mm) {
   PointShell out;
+  out.axis = axis;
+  out.reach_mm = head_reach(bur);
+  out.holder_radius_mm = std::max(bur.neck_radius_mm, bur.shank_radius_mm);
   const Vec3 a = across(axis), b = glm::cross(axis, a);
   if (bur.head.ball())
     ball_points(bur.radius_mm, head_spacing_mm, out.head);
