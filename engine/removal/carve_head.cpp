@@ -287,71 +287,53 @@ class Piece {
   IVec3 low_{0}, high_{0};
 };
 
-/// The head along a way, brick by brick. Of two pieces that meet the later one answers for the place where they do.
-class Carving {
- public:
-  Carving(Volume& volume, const Polyline& way, const Bur& bur, Vec3 axis, SweepStart start) noexcept
-      : volume_{volume}, head_{bur.head, volume.grid().voxel_mm}, pieces_{way.count - 1} {
-    for (int i = 0; i < pieces_; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      piece_[at].emplace(volume, way.vertex[at], way.vertex[at + 1], bur, head_, axis,
-                         Elsewhere{i == 0 && start == SweepStart::carved, i + 1 < pieces_});
-      low_ = i == 0 ? piece_[at]->low() : glm::min(low_, piece_[at]->low());
-      high_ = i == 0 ? piece_[at]->high() : glm::max(high_, piece_[at]->high());
-    }
+/// Everything in this brick is deep inside the bur. False if the volume has no room.
+bool clear(Volume& volume, AtBrick& brick) noexcept {
+  std::uint16_t* values = volume.cut_for_writing(brick.index);
+  if (values == nullptr) return false;
+  for (int o = 0; o < kBrickVoxels; ++o) {
+    if (values[o] == 0) continue;
+    values[o] = 0;
+    volume.forget_sweep(brick.index, o);
+    brick.changed.add_row(o >> 3 & 7, o >> 6, 1u << (o & 7));
   }
-
-  Carved run(CarvePart part) noexcept {
-    for_bricks_of(part, low_, high_, out_, [this](IVec3 at) { brick(at); });
-    return out_;
-  }
-
- private:
-  void brick(IVec3 at) noexcept {
-    const int index = volume_.specimen().brick_index(at);
-    if (index < 0 || !volume_.cuttable(index)) return;
-    AtBrick brick;
-    brick.index = index;
-    brick.corner = at * kBrickEdge;
-    brick.known = volume_.cut_of(index);
-    // The newest piece lowers most, and leaves the others little.
-    for (int i = pieces_ - 1; i >= 0; --i) {
-      const Piece::Did did = piece_[static_cast<std::size_t>(i)]->brick(brick);
-      if (did == Piece::Did::lowered) continue;
-      if (did == Piece::Did::no_room || !clear(brick)) out_.overflow = true;
-      break;
-    }
-    if (!brick.changed.close(brick.corner)) return;
-    volume_.touched(index);
-    out_.add(brick.changed);
-  }
-
-  /// Everything in this brick is deep inside the bur. False if the volume has no room.
-  bool clear(AtBrick& brick) noexcept {
-    std::uint16_t* values = volume_.cut_for_writing(brick.index);
-    if (values == nullptr) return false;
-    for (int o = 0; o < kBrickVoxels; ++o) {
-      if (values[o] == 0) continue;
-      values[o] = 0;
-      volume_.forget_sweep(brick.index, o);
-      brick.changed.add_row(o >> 3 & 7, o >> 6, 1u << (o & 7));
-    }
-    return true;
-  }
-
-  Volume& volume_;
-  FlatHead head_;
-  int pieces_;
-  std::array<std::optional<Piece>, Polyline::kMost - 1> piece_;
-  IVec3 low_{0}, high_{0};
-  Carved out_;
-};
+  return true;
+}
 
 }  // namespace
 
 Carved carve_sweep(Volume& volume, const Polyline& way, const Bur& bur, Vec3 axis, SweepStart start, CarvePart part) noexcept {
   if (bur.head.ball()) return carve_sweep(volume, way.first(), way.last(), bur.radius_mm, part);
-  return Carving(volume, way, bur, axis, start).run(part);
+  const FlatHead head(bur.head, volume.grid().voxel_mm);
+  const auto pieces = static_cast<std::size_t>(way.count - 1);
+  std::array<std::optional<Piece>, Polyline::kMost - 1> piece;
+  IVec3 low{0}, high{0};
+  for (std::size_t i = 0; i < pieces; ++i) {
+    // Of two pieces that meet the later one answers for the place where they do.
+    const Elsewhere elsewhere{i == 0 && start == SweepStart::carved, i + 1 < pieces};
+    piece[i].emplace(volume, way.vertex[i], way.vertex[i + 1], bur, head, axis, elsewhere);
+    low = i == 0 ? piece[i]->low() : glm::min(low, piece[i]->low());
+    high = i == 0 ? piece[i]->high() : glm::max(high, piece[i]->high());
+  }
+  Carved out;
+  for_bricks_of(part, low, high, out, [&](IVec3 at) {
+    AtBrick brick;
+    brick.index = volume.specimen().brick_index(at);
+    if (brick.index < 0 || !volume.cuttable(brick.index)) return;
+    brick.corner = at * kBrickEdge;
+    brick.known = volume.cut_of(brick.index);
+    // The newest piece lowers most, and leaves the others little.
+    for (std::size_t i = pieces; i-- > 0;) {
+      const Piece::Did did = piece[i]->brick(brick);
+      if (did == Piece::Did::lowered) continue;
+      if (did == Piece::Did::no_room || !clear(volume, brick)) out.overflow = true;
+      break;
+    }
+    if (!brick.changed.close(brick.corner)) return;
+    volume.touched(brick.index);
+    out.add(brick.changed);
+  });
+  return out;
 }
 
 }  // namespace cusp::engine
