@@ -32,7 +32,6 @@ struct AtBrick {
   IVec3 corner{0};
   const std::uint16_t* known = nullptr;  // its cut values; none: nothing was cut
   std::uint16_t* values = nullptr;       // once written
-  bool written = false;
   ChangedVoxels changed;
 };
 
@@ -51,10 +50,9 @@ class Piece {
     length_ = std::sqrt(glm::dot(way_, way_));
     frame_.way_t = glm::dot(way_, axis);
     const Vec3 off = way_ - axis * frame_.way_t;
-    const double across_way = std::sqrt(glm::dot(off, off));
-    frame_.way_p = across_way;
+    frame_.way_p = std::sqrt(glm::dot(off, off));
     rim_way_ = on_way(head_.rim(), frame_.way_t, frame_.way_p);
-    frame_.p = across_way > 1e-9 ? off / across_way : across(axis);
+    frame_.p = frame_.way_p > 1e-9 ? off / frame_.way_p : across(axis);
     frame_.q = glm::cross(axis, frame_.p);
     const auto sum = [](Vec3 v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); };
     spread_ = {sum(axis), sum(frame_.p), sum(frame_.q)};
@@ -222,11 +220,9 @@ class Piece {
     const LaneMask was = from_memory(four);
     less = bits_of(solid < was) & meant;
     if (less == 0) return Wrote::nothing;
-    if (!brick_->written) {
-      std::uint16_t* values = volume_.cut_for_writing(brick_->index);
-      if (values == nullptr) return Wrote::no_room;
-      brick_->known = brick_->values = values;
-      brick_->written = true;
+    if (brick_->values == nullptr) {
+      brick_->known = brick_->values = volume_.cut_for_writing(brick_->index);
+      if (brick_->values == nullptr) return Wrote::no_room;
     }
     for (int i = 0; i < kLanes; ++i) {
       if ((less >> i & 1u) == 0) continue;
