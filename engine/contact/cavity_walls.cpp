@@ -31,8 +31,8 @@ CavityWalls::CavityWalls(const Volume& volume, const Sweeps& sweeps)
       constraints_(places_.size() + kMostFeatures) {}
 
 double CavityWalls::room_mm(const Ball& ball) const noexcept {
-  if (sampled_.reach_mm < 0.0) return -1.0;
-  return sampled_.radius_mm + sampled_.reach_mm - ball.radius_mm - length_of(ball.at - sampled_.centre);
+  if (sampled_.slack_mm < 0.0) return -1.0;
+  return sampled_.radius_mm + sampled_.slack_mm - ball.radius_mm - length_of(ball.at - sampled_.at);
 }
 
 void CavityWalls::start(const Cutting& cutting) noexcept {
@@ -47,9 +47,7 @@ void CavityWalls::start(const Cutting& cutting) noexcept {
 
 CavityWalls::Found CavityWalls::found() const noexcept {
   Found out;
-  out.centre = sampled_.centre;
-  out.radius_mm = sampled_.radius_mm;
-  out.reach_mm = sampled_.reach_mm;
+  out.sampled = sampled_;
   out.features = static_cast<std::int32_t>(std::min(feature_count_, kMostKept));
   for (std::int32_t i = 0; i < out.features; ++i) out.foot[i] = features_[static_cast<std::size_t>(i)].foot;
   return out;
@@ -57,7 +55,7 @@ CavityWalls::Found CavityWalls::found() const noexcept {
 
 void CavityWalls::set_found(const Found& found) noexcept {
   release();
-  sampled_ = {found.centre, found.radius_mm, found.reach_mm};
+  sampled_ = found.sampled;
   places_made_ = false;
   feature_count_ = static_cast<std::size_t>(std::clamp(found.features, 0, static_cast<std::int32_t>(kMostKept)));
   for (std::size_t i = 0; i < feature_count_; ++i) {
@@ -100,8 +98,8 @@ bool CavityWalls::sample_at(const Volume& volume, Vec3 at) noexcept {
     met = std::fabs(depth) < kPlaceMetMm;
   }
   if (!met && !settle(volume, at, x)) return false;
-  const Vec3 off = x - sampled_.centre;
-  const double far = sampled_.radius_mm + sampled_.reach_mm;
+  const Vec3 off = x - sampled_.at;
+  const double far = sampled_.radius_mm + sampled_.slack_mm;
   if (glm::dot(off, off) > far * far) return false;
   places_[place_count_++] = {x, false, inwards, curved};
   return true;
@@ -113,7 +111,7 @@ void CavityWalls::sample_between(const Volume& volume, const Place& a, const Pla
   const double length = length_of(way);
   if (length < kPlaceMetMm || place_count_ == places_.size()) return;
   const Vec3 along = way / length;
-  Vec3 up = sampled_.centre - 0.5 * (a.at + b.at);
+  Vec3 up = sampled_.at - 0.5 * (a.at + b.at);
   up -= along * glm::dot(along, up);
   up /= length_of(up);
   const double up_a = glm::dot(a.inwards, up), up_b = glm::dot(b.inwards, up);
@@ -128,7 +126,7 @@ void CavityWalls::sample_between(const Volume& volume, const Place& a, const Pla
 }
 
 void CavityWalls::sample(const Volume& volume) noexcept {
-  const Ball ball{sampled_.centre, sampled_.radius_mm, sampled_.reach_mm};
+  const Ball ball = sampled_;
   place_count_ = 0;
   nearby_count_ = 0;
   places_made_ = true;
@@ -136,7 +134,7 @@ void CavityWalls::sample(const Volume& volume) noexcept {
                               BallDirections::kMostSide);
   const BallDirections& directions = BallDirections::of(side);
   std::fill_n(place_at_.begin(), 4 * directions.fours.size(), std::int16_t{-1});
-  const double far = sampled_.reach_mm + SweptVoid::kOffMm, middle_far = far + kMiddleOff * ball.radius_mm / side;
+  const double far = ball.slack_mm + SweptVoid::kOffMm, middle_far = far + kMiddleOff * ball.radius_mm / side;
   for (std::size_t k = 0; k < directions.fours.size(); ++k) {
     const BallDirections::Four& four = directions.fours[k];
     work_ += kSampleWork;
@@ -160,8 +158,8 @@ void CavityWalls::note_nearby(std::int32_t sweep) noexcept {
   if (nearby_count_ == kMostNearby) return;
   for (int i = 0; i < nearby_count_; ++i)
     if (nearby_[i] == sweep) return;
-  const Vec3 off = sweeps_[sweep].nearest_on(sampled_.centre) - sampled_.centre;
-  const double far = kPastMm + sampled_.reach_mm;
+  const Vec3 off = sweeps_[sweep].nearest_on(sampled_.at) - sampled_.at;
+  const double far = kPastMm + sampled_.slack_mm;
   if (glm::dot(off, off) < far * far) nearby_[nearby_count_++] = sweep;
 }
 

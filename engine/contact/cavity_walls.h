@@ -88,7 +88,7 @@ class CavityWalls {
   const Cutting& cutting() const noexcept { return cutting_; }
   /// Nothing that was found serves on.
   void release() noexcept {
-    sampled_ = Sampled{};
+    sampled_ = {Vec3(0.0), 0.0, -1.0};
     feature_count_ = 0;
     places_made_ = true;
   }
@@ -100,8 +100,7 @@ class CavityWalls {
 
   /// State: where the surface was looked for, and places of the features that were found.
   struct Found {
-    Vec3 centre{0.0};
-    double radius_mm = 0.0, reach_mm = -1.0;
+    Ball sampled{Vec3(0.0), 0.0, -1.0};
     std::int32_t features = 0;
     Vec3 foot[kMostKept]{};
   };
@@ -124,10 +123,6 @@ class CavityWalls {
     double curved = 0.0;   // of the wall about the ball, 1/mm
     Vec3 moved{0.0};       // by what was not carved at that time, of cuttings_
     std::uint32_t moved_for = 0;
-  };
-  struct Sampled {
-    Vec3 centre{0.0};
-    double radius_mm = 0.0, reach_mm = -1.0;  // all within radius + reach of centre; negative: nothing is
   };
   using Side = Sweeps::Deepest;  // a surface at a place: what a run has swept, or the specimen's own without a sweep
   /// What a search for the nearest place of the surface stands at.
@@ -187,7 +182,7 @@ class CavityWalls {
   const Sweeps& sweeps_;
   SweptVoid void_;
   double voxel_mm_;
-  Sampled sampled_;
+  Ball sampled_{Vec3(0.0), 0.0, -1.0};  // where the surface was looked for; a negative slack: nowhere
   bool places_made_ = true;   // places_ are those of sampled_
   std::vector<Place> places_;
   Cutting cutting_;

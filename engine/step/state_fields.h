@@ -176,9 +176,9 @@ void visit(Fields& f, T& surface, const Volume& volume, int bricks) {
     if constexpr (kWrites) resolved[static_cast<std::size_t>(brick)] = parts;
   }
   CavityWalls::Found found = surface.found_in_cavity();
-  f("surface.found.centre", found.centre);
-  f("surface.found.radius_mm", found.radius_mm);
-  f("surface.found.reach_mm", found.reach_mm);
+  f("surface.found.centre", found.sampled.at);
+  f("surface.found.radius_mm", found.sampled.radius_mm);
+  f("surface.found.reach_mm", found.sampled.slack_mm);
   f("surface.found.features", found.features);
   for (std::int32_t i = 0; i < std::min<std::int32_t>(found.features, CavityWalls::kMostKept); ++i)
     f("surface.found.foot", found.foot[i]);
