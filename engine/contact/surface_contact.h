@@ -245,7 +245,7 @@ class SurfaceContact {
     double over = 0.0;    // mm: how high the deepest one stands over it
   };
   bool near_rim(const Tool& tool, Vec3 from_pivot) const noexcept;
-  HeadFoot head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot, const ByHead& point, double beside2) const noexcept;
+  HeadFoot head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot, const ByHead& point) const noexcept;
   Constraint plane_of_head(const Tool& tool, const Candidate& c, const ByHead& place, Vec3 y, double slack_mm) const noexcept;
   Constraint plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm) const noexcept;
   void add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,

@@ -170,8 +170,9 @@ SurfaceContact::Constraint SurfaceContact::plane_of_shank(const Tool& tool, cons
 /// believed there. Else its place at the height along the axis where the head is nearest to the point: a flank, or an end,
 /// that all but lies on the surface, which bends away from the plane before the flank ends; there the head's own normal
 /// holds it off.
-SurfaceContact::HeadFoot SurfaceContact::head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot, const ByHead& point,
-                                                   double beside2) const noexcept {
+SurfaceContact::HeadFoot SurfaceContact::head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot,
+                                                   const ByHead& point) const noexcept {
+  const double reach = kPlaneReach * voxel_mm_, beside2 = reach * reach;
   const Profile& head = tool.bur->head;
   const OnHalf at = point.at, gradient = point.gradient;
   const auto of_point = [&] { return at.rho > 0.0 ? point.off / at.rho : across(tool.axis); };
@@ -201,7 +202,7 @@ SurfaceContact::HeadFoot SurfaceContact::head_foot(const Tool& tool, Vec3 normal
   foot.normal = -(tool.axis * gradient.t + aside * gradient.rho);
   // A rim close by that stands deeper has many normals: the surface's own, but for what of it runs along the rim.
   OnHalf rim;
-  if (!head.rim(near, std::sqrt(beside2), rim)) return foot;
+  if (!head.rim(near, reach, rim)) return foot;
   const Vec3 of_rim = tool.axis * rim.t + aside * rim.rho;
   const Vec3 along = glm::cross(tool.axis, aside);
   const Vec3 facing = normal - along * glm::dot(normal, along);
@@ -223,7 +224,7 @@ SurfaceContact::Constraint SurfaceContact::plane_of_head(const Tool& tool, const
   if (c.kind == Kind::surface) {
     const double beside = kPlaneReach * voxel_mm_, beside2 = beside * beside;
     const Vec3 point = c.point - y;
-    const HeadFoot foot = head_foot(tool, c.normal, point, place, beside2);
+    const HeadFoot foot = head_foot(tool, c.normal, point, place);
     out.low_mm = foot.over + thin;
     const double facing = glm::dot(c.normal, foot.normal);
     const double height = (glm::dot(c.normal, y + foot.at) - c.level + thin) / facing;

@@ -19,8 +19,7 @@ constexpr double kPolishedMm = 1e-6;        // mm: a polish that would move less
 SurfaceContact::HeadFoot SurfaceContact::foot_of(const Tool& tool, Field field, Vec3 normal, Vec3 point, Vec3 pose) const noexcept {
   const double thin = tool.thin(field);
   if (tool.ball()) return {normal * -(tool.bur->radius_mm - thin), normal, true};
-  const double beside = kPlaneReach * voxel_mm_;
-  HeadFoot foot = head_foot(tool, normal, point - pose, by_head(*tool.bur, tool.axis, point - pose), beside * beside);
+  HeadFoot foot = head_foot(tool, normal, point - pose, by_head(*tool.bur, tool.axis, point - pose));
   foot.at += foot.normal * thin;
   return foot;
 }
