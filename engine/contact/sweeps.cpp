@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/volume/volume.h"
+
 namespace cusp::engine {
 
 namespace {
@@ -14,6 +16,17 @@ constexpr float kRoundedMm = 1e-4f;           // far more than floats round a de
 constexpr float kBeyond = 1e30f;              // mm², further than any sweep
 constexpr double kMostRadiusMm = 100.0;       // of a kept sweep: no bur is as wide
 constexpr std::int32_t kLast = std::numeric_limits<std::int32_t>::max();  // after every id
+
+/// Calls visit(id) for every id that a voxel keeps.
+template <class Visit>
+void for_each_name(Volume& volume, Visit&& visit) noexcept {
+  for (const std::int32_t brick : volume.cut_bricks()) {
+    std::int32_t* ids = volume.sweeps_for_writing(brick);
+    if (ids == nullptr) continue;
+    for (int o = 0; o < kBrickVoxels; ++o)
+      if (ids[o] != Volume::kNoSweep) visit(ids[o]);
+  }
+}
 }  // namespace
 
 Sweeps::Sweeps(Vec3 middle, std::size_t room) : middle_(middle), room_(room) {
@@ -334,6 +347,15 @@ bool Sweeps::load(std::span<const std::byte> bytes) {
 /// The newest sweep's end may still move: all places before it are settled.
 void Sweeps::settle() noexcept {
   for (; hashed_ + 1 < static_cast<std::size_t>(count_); ++hashed_) add_to(settled_, hashed_);
+}
+
+bool make_room(Sweeps& sweeps, Volume& volume) noexcept {
+  if (!sweeps.wants_room()) return false;
+  sweeps.clear_marks();
+  for_each_name(volume, [&](std::int32_t id) { sweeps.mark(id); });
+  sweeps.drop_unmarked();
+  for_each_name(volume, [&](std::int32_t& id) { id = sweeps.renumbered(id); });
+  return true;
 }
 
 }  // namespace cusp::engine

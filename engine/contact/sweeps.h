@@ -1,6 +1,5 @@
 /// The ways of all balls that have cut: one store of straight sweeps in the order of time. Each voxel near a cut keeps the id
-/// of its nearest sweep (Volume::sweeps_of). sweep_room.h makes room by forgetting what owns no wall. What is cut once the store
-/// is full has no id.
+/// of its nearest sweep (Volume::sweeps_of). make_room() forgets what owns no wall. What is cut once the store is full has no id.
 /// Frame: specimen, mm. Thread: haptic. Wait-free; the constructor takes all memory.
 #pragma once
 
@@ -15,6 +14,8 @@
 #include "engine/volume/hash.h"
 
 namespace cusp::engine {
+
+class Volume;
 
 /// A ball that moved from a to b.
 struct Sweep {
@@ -148,5 +149,10 @@ class Sweeps {
   bool open_ = false;               // the way goes on
   bool sealed_ = false;             // but in another sweep
 };
+
+/// Forgets the sweeps that no voxel names, but for Sweeps::kBeside beside a named one, if the store wants room. True if it did:
+/// ids have changed, in the volume and for whoever keeps one. Some milliseconds for a full store, so the step calls it while the
+/// bur touches nothing.
+bool make_room(Sweeps& sweeps, Volume& volume) noexcept;
 
 }  // namespace cusp::engine

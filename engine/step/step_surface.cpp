@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "engine/contact/friction.h"
-#include "engine/contact/sweep_room.h"
+#include "engine/contact/sweeps.h"
 #include "engine/removal/carve.h"
 #include "engine/removal/wear.h"
 #include "engine/step/state.h"
