@@ -87,6 +87,45 @@ struct Met {
   }
 };
 
+/// By the points of a ball that is pushed on, up to the first that stops it.
+Met met_by_ball(const Volume& volume, const Scene& scene, const Front& front, std::uint64_t tick) noexcept {
+  Met met;
+  const Vec3 direction = front.direction;
+  auto eighth = static_cast<unsigned>(tick & 7);
+  // Turned about the way from tick to tick: what the points miss between them, and what lies unevenly about it, then
+  // evens out.
+  const unsigned turned = turn_of(tick);
+  const OnHalf turn = Round::turned(kRound.unit[turned >> 3], kRound.part[turned & 7]);
+  for (std::size_t i = 0; i < kDirections.unit.size() && !met.stops; ++i) {
+    const Vec3& u = kDirections.unit[i];
+    const double w = glm::dot(u, direction);
+    eighth = (eighth + 3) & 7;
+    if (w <= 0.0) continue;
+    const Vec3 at = u * turn.t + glm::cross(direction, u) * turn.rho + direction * (w * (1.0 - turn.t));
+    met.look(volume, scene, front.pose_mm + at * front.bur.radius_mm, w * kDirections.share[i], eighth);
+  }
+  return met;
+}
+
+/// The same of a head given by its rings.
+Met met_by_rings(const Volume& volume, const Scene& scene, const Front& front, std::uint64_t tick) noexcept {
+  Met met;
+  const Vec3 axis = front.axis, first = across(axis), second = glm::cross(axis, first);
+  const OnHalf part = kRound.part[turn_of(tick) & 7];
+  const Vec3 one = first * part.t + second * part.rho, other = second * part.t - first * part.rho;
+  auto eighth = static_cast<unsigned>(tick & 7);
+  for (const FrontRing& ring : front.rings)
+    for (const OnHalf& turn : kRound.unit) {
+      eighth = (eighth + 3) & 7;
+      const Vec3 out = one * turn.t + other * turn.rho;
+      const double w = ring.area * glm::dot(axis * ring.normal.t + out * ring.normal.rho, front.direction);
+      if (w <= 0.0) continue;
+      met.look(volume, scene, front.pose_mm + axis * ring.at.t + out * ring.at.rho, w, eighth);
+      if (met.stops) return met;
+    }
+  return met;
+}
+
 }  // namespace
 
 HeadPush push_of_head(Vec3 to_device, std::span<const Vec3> walls) noexcept {
@@ -103,26 +142,6 @@ HeadPush push_of_head(Vec3 to_device, std::span<const Vec3> walls) noexcept {
   out.gap_mm = std::sqrt(glm::dot(left, left));
   if (out.gap_mm > kNoPushMm) out.direction = left / out.gap_mm;
   return out;
-}
-
-double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, double radius_mm, Vec3 direction,
-                   double fallback_mm_s, std::uint64_t tick) noexcept {
-  Met met;
-  auto eighth = static_cast<unsigned>(tick & 7);
-  // Turned about the way from tick to tick: what the points miss between them, and what lies unevenly about it, then
-  // evens out.
-  const unsigned turned = turn_of(tick);
-  const OnHalf turn = Round::turned(kRound.unit[turned >> 3], kRound.part[turned & 7]);
-  for (std::size_t i = 0; i < kDirections.unit.size(); ++i) {
-    const Vec3& u = kDirections.unit[i];
-    const double w = glm::dot(u, direction);
-    eighth = (eighth + 3) & 7;
-    if (w <= 0.0) continue;
-    const Vec3 at = u * turn.t + glm::cross(direction, u) * turn.rho + direction * (w * (1.0 - turn.t));
-    met.look(volume, scene, pose_mm + at * radius_mm, w * kDirections.share[i], eighth);
-    if (met.stops) return 0.0;
-  }
-  return met.weight > 0.0 ? met.weight / met.time : fallback_mm_s;
 }
 
 std::vector<FrontRing> front_rings(const Profile& head) {
@@ -164,22 +183,9 @@ std::vector<FrontRing> front_rings(const Profile& head) {
   return out;
 }
 
-double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, std::span<const FrontRing> head, Vec3 axis,
-                   Vec3 direction, double fallback_mm_s, std::uint64_t tick) noexcept {
-  const Vec3 first = across(axis), second = glm::cross(axis, first);
-  const OnHalf part = kRound.part[turn_of(tick) & 7];
-  const Vec3 one = first * part.t + second * part.rho, other = second * part.t - first * part.rho;
-  Met met;
-  auto eighth = static_cast<unsigned>(tick & 7);
-  for (const FrontRing& ring : head)
-    for (const OnHalf& turn : kRound.unit) {
-      eighth = (eighth + 3) & 7;
-      const Vec3 out = one * turn.t + other * turn.rho;
-      const double w = ring.area * glm::dot(axis * ring.normal.t + out * ring.normal.rho, direction);
-      if (w <= 0.0) continue;
-      met.look(volume, scene, pose_mm + axis * ring.at.t + out * ring.at.rho, w, eighth);
-      if (met.stops) return 0.0;
-    }
+double front_speed(const Volume& volume, const Scene& scene, const Front& front, double fallback_mm_s, std::uint64_t tick) noexcept {
+  const Met met = front.bur.head.ball() ? met_by_ball(volume, scene, front, tick) : met_by_rings(volume, scene, front, tick);
+  if (met.stops) return 0.0;
   return met.weight > 0.0 ? met.weight / met.time : fallback_mm_s;
 }
 

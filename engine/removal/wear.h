@@ -27,14 +27,6 @@ struct HeadPush {
 /// Pre: at most three normals of walls, unit, out of the tissue.
 HeadPush push_of_head(Vec3 to_device, std::span<const Vec3> walls) noexcept;
 
-/// Speed at full wear of a ball that pushes towards `direction` (unit): harmonic mean over the tissues that its front
-/// meets, weighted by what each point of the front sweeps. 0 where the front meets tissue that cannot be cut.
-/// fallback: the speed when the front meets nothing yet. tick: the points are turned about the way from tick to tick, and
-/// each asks another eighth of a voxel about it, for a tissue is known to its voxel only: where two tissues meet they then
-/// count by their shares (measured over 78 seams: 1.6 % of the speed at most).
-double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, double radius_mm, Vec3 direction,
-                   double fallback_mm_s, std::uint64_t tick) noexcept;
-
 /// A ring about the axis of a head that is no ball, and what it has of the head's area. For front_speed.
 struct FrontRing {
   OnHalf at, normal;
@@ -44,9 +36,20 @@ struct FrontRing {
 /// Rings over the whole head, at most 24. Empty for a ball. Not for the haptic thread.
 std::vector<FrontRing> front_rings(const Profile& head);
 
-/// As above, of a head given by its rings, at a pose and an axis.
-double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, std::span<const FrontRing> head, Vec3 axis,
-                   Vec3 direction, double fallback_mm_s, std::uint64_t tick) noexcept;
+/// A bur that pushes on.
+struct Front {
+  const Bur& bur;
+  std::span<const FrontRing> rings;  // front_rings(bur.head)
+  Vec3 axis{0.0}, pose_mm{0.0};      // unit, and of the pivot
+  Vec3 direction{0.0};               // of the push, unit
+};
+
+/// Speed at full wear of a bur: harmonic mean over the tissues that its front meets, weighted by what each point of the front
+/// sweeps. 0 where the front meets tissue that cannot be cut. fallback: the speed when the front meets nothing yet. tick: the
+/// points are turned from tick to tick (a ball's about its way, another head's about its axis), and each asks another eighth of a
+/// voxel about it, for a tissue is known to its voxel only: where two tissues meet they then count by their shares (measured over
+/// 78 seams: 1.6 % of the speed at most).
+double front_speed(const Volume& volume, const Scene& scene, const Front& front, double fallback_mm_s, std::uint64_t tick) noexcept;
 
 /// Sliding: how deep (mm) a bur that goes `slide` sideways while it wears `advance` into `direction` may stand, if nothing
 /// recedes faster than it wears: the height over its lowest place of where its surface has turned so far that sliding asks

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 
+#include "engine/removal/wear.h"
 #include "engine/step/step.h"
 
 namespace cusp::engine {
@@ -20,6 +21,39 @@ struct Tick {
   double removal_factor = 1.0;  // share of the tissues' removal speeds that the spindle gives, [0, 1]
   bool fragment_leaves = false;  // this tick removes voxels of a severed fragment, so other work is deferred
 };
+
+/// What the proxy touches.
+struct Touched {
+  Tissue tissue = Tissue::empty;    // most of it
+  double stiffness_n_per_mm = 0.0;  // blended
+};
+
+/// What presses a bur on.
+struct Pressed {
+  Touched touched;
+  double push_mm = 0.0;           // from the device to the proxy
+  Vec3 slid{0.0};                 // of the proxy in this tick, as far as the cut pose goes along with it, mm
+  double tie_mm = 0.0;            // the cut pose stays within this of the proxy, so that errors do not add up
+  std::span<const Vec3> walls{};  // that neck and shank lean on: normals
+};
+
+/// The cut of a tick: the bur goes advance_mm from `pose` along `head`.
+struct Advance {
+  Vec3 pose{0.0};
+  HeadPush head;
+  double advance_mm = 0.0;
+
+  /// Where it ends, at the device point at the latest.
+  Vec3 end() noexcept {
+    if (advance_mm > head.gap_mm) advance_mm = head.gap_mm;
+    return pose + head.direction * advance_mm;
+  }
+};
+/// Eq. (4) and (6): how far the pressed bur goes in this tick. now: of this tick, its bur and number.
+Advance advance_of(const StepState::Inner& state, const Tick& tick, const Pressed& pressed, const StepOutput& now) noexcept;
+
+/// The force of the spring between device and proxy, with friction against the proxy's way from `before`; and what it touches.
+void press_back(const StepState::Inner& state, const Tick& tick, const Touched& touched, Vec3 before, StepOutput& out) noexcept;
 
 class ContactMethod {
  public:

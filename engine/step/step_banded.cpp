@@ -1,10 +1,8 @@
 // One tick of the penalty and of the gradient proxy: contact, the cut pose, contact again in the cut field. Removal is
 // that of the surface method, but carves every tick and has no memory of past poses.
-#include "engine/contact/friction.h"
 #include "engine/contact/gradient_proxy.h"
 #include "engine/contact/penalty.h"
 #include "engine/removal/carve.h"
-#include "engine/removal/wear.h"
 #include "engine/step/methods.h"
 #include "engine/step/state.h"
 #include "engine/step/step_fragments.h"
@@ -38,14 +36,7 @@ class BandedMethod final : public ContactMethod {
     out.deferred = contact.deferred;
     out.shank = contact.shank;
     out.contact = contact.touching;
-    if (!out.contact) return;
-    const Vec3 spring = state.proxy - tick.device;
-    out.tissue = contact.tissue;
-    out.stiffness_n_per_mm = contact.stiffness_n_per_mm;
-    out.force_raw_n = contact.stiffness_n_per_mm * spring;
-    if (scene.friction && tick.dt_s > 0.0)
-      out.force_raw_n += coulomb_n((state.proxy - before) / tick.dt_s, scene.friction_coefficient,
-                                   contact.stiffness_n_per_mm * length_of(spring));
+    if (out.contact) press_back(state, tick, {contact.tissue, contact.stiffness_n_per_mm}, before, out);
   }
 
   bool end_stroke(StepState::Inner& state) noexcept override {
@@ -69,34 +60,21 @@ class BandedMethod final : public ContactMethod {
   /// sweep.
   void cut(StepState::Inner& state, const BandedContact& contact, Vec3 slid, const Tick& tick,
            StepOutput& out) noexcept {
-    const Scene& scene = *state.scene;
-    const Bur& bur = scene.burs[out.bur];
-    const double radius = bur.radius_mm;
     const Vec3 push = tick.device - contact.pose_mm;
-    const double distance = length_of(push);
-    if (!(distance > 1e-6)) return;
-    slid = Finder::kFollowsSideways ? slid - push * (glm::dot(slid, push) / (distance * distance)) : Vec3(0.0);
-    Vec3 pose = state.cut_valid ? state.cut_pose + slid : contact.pose_mm;
-    const Vec3 off = pose - contact.pose_mm;
-    const double apart = length_of(off);
-    const double tie = Finder::tie_mm(radius, state.volume.grid().voxel_mm);
-    if (apart > tie) pose = contact.pose_mm + off * (tie / apart);
-
-    const HeadPush head = push_of_head(tick.device - pose, {&contact.shank_normal, contact.shank ? 1u : 0u});
-    const double alpha = wear_coefficient(distance * head.share, contact.stiffness_n_per_mm, scene.full_force_n);
-    const double own = scene.tissues[index_of(contact.tissue)].speed_mm_s;
-    const double speed = bur.head.ball() ? front_speed(state.volume, scene, pose, radius, head.direction, own, out.tick)
-                                          : front_speed(state.volume, scene, pose, state.fronts[out.bur],
-                                                        scene.tool_axis, head.direction, own, out.tick);
-    double advance = alpha * speed * tick.dt_s * tick.removal_factor;
-    if (advance > head.gap_mm) advance = head.gap_mm;
-    const Vec3 next = pose + head.direction * advance;
-    if (advance > 0.0) {
+    Pressed pressed{{contact.tissue, contact.stiffness_n_per_mm}, length_of(push)};
+    if (!(pressed.push_mm > 1e-6)) return;
+    if (Finder::kFollowsSideways) pressed.slid = slid - push * (glm::dot(slid, push) / (pressed.push_mm * pressed.push_mm));
+    const Bur& bur = state.scene->burs[out.bur];
+    pressed.tie_mm = Finder::tie_mm(bur.radius_mm, state.volume.grid().voxel_mm);
+    pressed.walls = {&contact.shank_normal, contact.shank ? 1u : 0u};
+    Advance advance = advance_of(state, tick, pressed, out);
+    const Vec3 next = advance.end();
+    if (advance.advance_mm > 0.0) {
       const bool whole = state.cut_valid && swept_whole(length_of(next - state.cut_pose), tick.dt_s);
-      const Carved carved = carve_sweep(state.volume, whole ? state.cut_pose : pose, next, bur, scene.tool_axis);
+      const Carved carved = carve_sweep(state.volume, whole ? state.cut_pose : advance.pose, next, bur, tick.axis);
       out.overflow = !drop_crumbs(state, carved) || carved.overflow || out.overflow;
       out.cutting = carved.any;
-      out.advance_mm = advance;
+      out.advance_mm = advance.advance_mm;
     }
     state.cut_pose = next;
     state.cut_valid = true;

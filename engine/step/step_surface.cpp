@@ -1,7 +1,6 @@
 // One tick of the surface method: contact, the cut pose, contact again with the cut in the memory.
 #include <algorithm>
 
-#include "engine/contact/friction.h"
 #include "engine/contact/sweeps.h"
 #include "engine/removal/carve.h"
 #include "engine/removal/wear.h"
@@ -32,14 +31,9 @@ constexpr double kReach = 1.1, kReachMm = 0.004;
 /// next one if it is larger, and differs from the last tick's by less.
 constexpr double kPredictionTolerance = 0.1, kPredictionToleranceMm = 0.002;
 
-/// Of what the proxy touches.
-struct Touched {
-  Tissue tissue = Tissue::empty;
-  double stiffness_n_per_mm = 0.0;
-};
-
-/// Stiffness (N/mm) over the active set; `most`: the tissue that carries most of it.
-double blended(const Scene& scene, const Contact& contact, Tissue& most) noexcept {
+/// By the active set.
+Touched touched_by(const Scene& scene, const Contact& contact) noexcept {
+  Touched out;
   double weight = 0.0, sum = 0.0, heaviest = -1.0;
   for (int a = 0; a < contact.active; ++a) {
     const double w = contact.weight[a] > 1e-12 ? contact.weight[a] : 1e-12;
@@ -47,10 +41,11 @@ double blended(const Scene& scene, const Contact& contact, Tissue& most) noexcep
     sum += w * scene.tissues[index_of(contact.tissue[a])].stiffness_n_per_mm;
     if (w > heaviest) {
       heaviest = w;
-      most = contact.tissue[a];
+      out.tissue = contact.tissue[a];
     }
   }
-  return weight > 0.0 ? sum / weight : 0.0;
+  if (weight > 0.0) out.stiffness_n_per_mm = sum / weight;
+  return out;
 }
 
 /// What contact has to know of a ball's sweeps while it cuts.
@@ -186,48 +181,11 @@ void update_prediction(StepState::Inner& state, const Contact& contact, const Mo
   state.predicted_excess = follows ? other / moved : Vec3(0.0);
 }
 
-/// The cut of a tick: the bur advances from `pose` along `head`.
-struct Advance {
-  Vec3 pose{0.0};
-  HeadPush head;
-  double advance_mm = 0.0;
-
-  void aim_at(Vec3 device, const Contact& contact) noexcept {
-    Vec3 wall[3];
-    std::size_t walls = 0;
-    for (int a = 0; a < contact.active; ++a)
-      if (contact.of_shank[a]) wall[walls++] = contact.normal[a];
-    head = push_of_head(device - pose, {wall, walls});
-  }
-};
-
-/// Eq. (4) and (6): how far the pressed bur goes in this tick. now: of this tick, its bur and number.
-Advance advance_of(const StepState::Inner& state, const Tick& tick, const Contact& contact, const Motion& motion,
-                   const Touched& touched, double push_mm, const StepOutput& now) noexcept {
-  const Scene& scene = *state.scene;
-  const Bur& bur = scene.burs[now.bur];
-  Advance out;
-  out.pose = state.cut_valid ? state.cut_pose + motion.slid : state.proxy;
-  // Tied to the proxy, so that errors do not add up.
-  const Vec3 off = out.pose - state.proxy;
-  const double apart = length_of(off);
-  if (apart > CavityWalls::kTieMm) out.pose = state.proxy + off * (CavityWalls::kTieMm / apart);
-  out.aim_at(tick.device, contact);
-  const double alpha = wear_coefficient(push_mm * out.head.share, touched.stiffness_n_per_mm, scene.full_force_n);
-  const double own = scene.tissues[index_of(touched.tissue)].speed_mm_s;
-  const double speed = bur.head.ball() ? front_speed(state.volume, scene, out.pose, bur.radius_mm, out.head.direction, own, now.tick)
-                                       : front_speed(state.volume, scene, out.pose, state.fronts[now.bur], tick.axis,
-                                                     out.head.direction, own, now.tick);
-  out.advance_mm = alpha * speed * tick.dt_s * tick.removal_factor;
-  return out;
-}
-
 /// A sliding bur may stand only so deep, if no tissue recedes faster than it wears. True if the pending sweeps were carved.
-bool limit_slide(StepState::Inner& state, const Tick& tick, const Contact& contact, Vec3 slid, Advance& cut,
-                 StepOutput& out) noexcept {
-  if (!(length_of(slid) > kLeastSlideMm && cut.advance_mm > 0.0)) return false;
+bool limit_slide(StepState::Inner& state, const Tick& tick, const Pressed& pressed, Advance& cut, StepOutput& out) noexcept {
+  if (!(length_of(pressed.slid) > kLeastSlideMm && cut.advance_mm > 0.0)) return false;
   const Bur& bur = state.scene->burs[out.bur];
-  const double tau = slide_depth(bur, tick.axis, cut.head.direction, slid, cut.advance_mm);
+  const double tau = slide_depth(bur, tick.axis, cut.head.direction, pressed.slid, cut.advance_mm);
   if (!(tau < kShallowTauMm)) return false;
   out.overflow = !carve_all(state, out.bur) || out.overflow;
   Vec3 out_pose;
@@ -238,7 +196,7 @@ bool limit_slide(StepState::Inner& state, const Tick& tick, const Contact& conta
     cut.pose = state.proxy;
     cut.advance_mm = 0.0;
   }
-  cut.aim_at(tick.device, contact);
+  cut.head = push_of_head(tick.device - cut.pose, pressed.walls);
   return true;
 }
 
@@ -301,10 +259,14 @@ void sweep_along(StepState::Inner& state, const Tick& tick, const Advance& cut, 
 Contact cut_tissue(StepState::Inner& state, const Tick& tick, const Contact& contact, const Motion& motion,
                    const Touched& touched, double push_mm, StepOutput& out) noexcept {
   const Vec3 old_pose = state.cut_valid ? state.cut_pose : state.proxy;
-  Advance cut = advance_of(state, tick, contact, motion, touched, push_mm, out);
-  const bool carved = limit_slide(state, tick, contact, motion.slid, cut, out);
-  if (cut.advance_mm > cut.head.gap_mm) cut.advance_mm = cut.head.gap_mm;
-  const Vec3 next = cut.pose + cut.head.direction * cut.advance_mm;
+  Vec3 wall[3];
+  std::size_t walls = 0;
+  for (int a = 0; a < contact.active; ++a)
+    if (contact.of_shank[a]) wall[walls++] = contact.normal[a];
+  const Pressed pressed{touched, push_mm, motion.slid, CavityWalls::kTieMm, {wall, walls}};
+  Advance cut = advance_of(state, tick, pressed, out);
+  const bool carved = limit_slide(state, tick, pressed, cut, out);
+  const Vec3 next = cut.end();
   if (cut.advance_mm > 0.0) {
     sweep_along(state, tick, cut, old_pose, next, out);
   } else {
@@ -358,14 +320,13 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
   motion.slid = contact.pose_mm - state.proxy;
   update_prediction(state, contact, motion);
   state.proxy = contact.pose_mm;
-  Touched touched;
-  touched.stiffness_n_per_mm = blended(scene, contact, touched.tissue);
+  Touched touched = touched_by(scene, contact);
   const double push_mm = length_of(device - state.proxy);
 
   // A deferred contact has not converged, so the push is not known: such a tick cuts nothing (swept_whole() in carve.h).
   if (tick.cut && contact.active > 0 && push_mm > 1e-6 && !contact.deferred) {
     contact = cut_tissue(state, tick, contact, motion, touched, push_mm, out);
-    if (contact.active > 0) touched.stiffness_n_per_mm = blended(scene, contact, touched.tissue);
+    if (contact.active > 0) touched = touched_by(scene, contact);
   } else if (state.cut_valid && (!tick.cut || contact.active == 0 || contact.deferred)) {
     out.overflow = !end_stroke(state) || out.overflow;
     if (contact.active == 0) make_room_between_strokes(state);
@@ -373,15 +334,8 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
 
   out.deferred = contact.deferred;
   out.shank = contact.shank();
-  const Vec3 spring = state.proxy - device;
-  out.contact = contact.active > 0 && length_of(spring) > 1e-6;
-  if (!out.contact) return;
-  out.tissue = touched.tissue;
-  out.stiffness_n_per_mm = touched.stiffness_n_per_mm;
-  out.force_raw_n = touched.stiffness_n_per_mm * spring;
-  if (scene.friction && tick.dt_s > 0.0)
-    out.force_raw_n += coulomb_n((state.proxy - before) / tick.dt_s, scene.friction_coefficient,
-                                 touched.stiffness_n_per_mm * length_of(spring));
+  out.contact = contact.active > 0 && length_of(state.proxy - device) > 1e-6;
+  if (out.contact) press_back(state, tick, touched, before, out);
 }
 
 }  // namespace cusp::engine
