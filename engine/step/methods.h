@@ -78,6 +78,7 @@ class ContactMethod {
 
 /// The method of the state's scene. Reserves all it can need.
 std::unique_ptr<ContactMethod> make_method(StepState::Inner& state);
+std::unique_ptr<ContactMethod> make_surface_method();
 std::unique_ptr<ContactMethod> make_filled_method(StepState::Inner& state);  // occupancy, occupancy-pivot, ray
 std::unique_ptr<ContactMethod> make_banded_method(StepState::Inner& state);  // penalty, gradient
 

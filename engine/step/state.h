@@ -60,13 +60,4 @@ struct StepState::Inner {
   std::unique_ptr<PhenomenaState> phenomena;  // null: the scene asks for none
 };
 
-/// Surface method: carves every pending sweep and ends the stroke (button up, no contact, fault, another bur).
-/// False if the volume had no room.
-bool end_stroke(StepState::Inner& state) noexcept;
-/// Surface method: forgets sweeps that own no wall, if their store wants room. Pre: no stroke.
-void make_room_between_strokes(StepState::Inner& state) noexcept;
-
-/// Surface method: contact, removal and raw force of one tick into `out`.
-void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept;
-
 }  // namespace cusp::engine

@@ -4,8 +4,10 @@
 #include "engine/contact/sweeps.h"
 #include "engine/removal/carve.h"
 #include "engine/removal/wear.h"
+#include "engine/step/methods.h"
 #include "engine/step/state.h"
 #include "engine/step/step_fragments.h"
+#include "engine/volume/fragments.h"
 
 namespace cusp::engine {
 
@@ -255,15 +257,14 @@ void sweep_along(StepState::Inner& state, const Tick& tick, const Advance& cut, 
   state.surface->set_cutting(cutting_of(state));
 }
 
-/// Advances the bur into the tissue. Returns contact after it. touched: of `contact`. push_mm: from the device to the proxy.
-Contact cut_tissue(StepState::Inner& state, const Tick& tick, const Contact& contact, const Motion& motion,
-                   const Touched& touched, double push_mm, StepOutput& out) noexcept {
+/// Advances the bur into the tissue. Returns contact after it. pressed: of `contact`, but for the walls.
+Contact cut_tissue(StepState::Inner& state, const Tick& tick, const Contact& contact, Pressed pressed, StepOutput& out) noexcept {
   const Vec3 old_pose = state.cut_valid ? state.cut_pose : state.proxy;
   Vec3 wall[3];
   std::size_t walls = 0;
   for (int a = 0; a < contact.active; ++a)
     if (contact.of_shank[a]) wall[walls++] = contact.normal[a];
-  const Pressed pressed{touched, push_mm, motion.slid, CavityWalls::kTieMm, {wall, walls}};
+  pressed.walls = {wall, walls};
   Advance cut = advance_of(state, tick, pressed, out);
   const bool carved = limit_slide(state, tick, pressed, cut, out);
   const Vec3 next = cut.end();
@@ -291,51 +292,86 @@ Contact cut_tissue(StepState::Inner& state, const Tick& tick, const Contact& con
   return after;
 }
 
+class SurfaceMethod final : public ContactMethod {
+ public:
+  void tick(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept override {
+    const Scene& scene = *state.scene;
+    const Vec3 device = tick.device, before = state.proxy;
+    Motion motion{device - state.device};
+    motion.moved = length_of(motion.way);
+    Contact contact = follow_device(state, tick, motion, out);
+    motion.slid = contact.pose_mm - state.proxy;
+    update_prediction(state, contact, motion);
+    state.proxy = contact.pose_mm;
+    Touched touched = touched_by(scene, contact);
+    const double push_mm = length_of(device - state.proxy);
+
+    // A deferred contact has not converged, so the push is not known: such a tick cuts nothing (swept_whole() in carve.h).
+    if (tick.cut && contact.active > 0 && push_mm > 1e-6 && !contact.deferred) {
+      contact = cut_tissue(state, tick, contact, {touched, push_mm, motion.slid, CavityWalls::kTieMm}, out);
+      if (contact.active > 0) touched = touched_by(scene, contact);
+    } else if (state.cut_valid && (!tick.cut || contact.active == 0 || contact.deferred)) {
+      out.overflow = !end_stroke(state) || out.overflow;
+      if (contact.active == 0) make_room_between_strokes(state);
+    }
+
+    out.deferred = contact.deferred;
+    out.shank = contact.shank();
+    out.contact = contact.active > 0 && length_of(state.proxy - device) > 1e-6;
+    if (out.contact) press_back(state, tick, touched, before, out);
+  }
+  bool end_stroke(StepState::Inner& state) noexcept override {
+    const bool room = carve_all(state, state.last.bur);
+    state.pending_sweep = {};
+    state.cut_valid = false;
+    state.memory.break_path();
+    state.sweeps.break_path();
+    state.surface->set_cutting(cutting_of(state));
+    return room;
+  }
+  bool fits(StepState::Inner& state, std::uint16_t bur, Vec3 axis, Vec3 pose_mm, Look look) noexcept override {
+    const Bur& head = state.scene->burs[bur];
+    if (look == Look::free_space) return state.surface->in_free_space(state.volume, head, axis, pose_mm);
+    return state.surface->fits(state.volume, head, axis, pose_mm);
+  }
+  bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept override {
+    const Bur& head = state.scene->burs[bur];
+    const Vec3 axis = state.scene->tool_axis;
+    const bool room = end_stroke(state);
+    make_room_between_strokes(state);
+    Carved carved;
+    if (head.head.ball()) {
+      const std::int32_t id = state.sweeps.add_apart(from_mm, to_mm, head.radius_mm);
+      state.surface->set_cutting({.end = state.sweeps.size()});
+      carved = id >= 0 ? carve_run(state.volume, state.sweeps, {id, id}) : carve_sweep(state.volume, from_mm, to_mm, head.radius_mm);
+    } else {
+      carved = carve_sweep(state.volume, from_mm, to_mm, head, axis);
+      state.memory.add(from_mm, to_mm, {bur, axis});
+      state.memory.break_path();
+    }
+    for_changed(carved, [&](const ChangedVoxels& changed) { state.surface->changed(state.volume, changed); });
+    return room && !carved.overflow;
+  }
+  bool remove_voxels(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
+    const ChangedBox changed = engine::remove_voxels(state.volume, voxels);
+    if (changed.any) state.surface->changed_unresolved(state.volume, changed.low, changed.high);
+    return !changed.overflow;
+  }
+  void reload(StepState::Inner&) override {}  // what it keeps of the volume stands in state.surface
+
+ private:
+  /// Forgets sweeps that own no wall, if their store wants room. Pre: no stroke.
+  void make_room_between_strokes(StepState::Inner& state) noexcept {
+    if (!make_room(state.sweeps, state.volume)) return;
+    state.cut_first = 0;
+    state.cut_last = Sweeps::kNone;
+    state.surface->forget();
+    state.surface->set_cutting(cutting_of(state));
+  }
+};
+
 }  // namespace
 
-bool end_stroke(StepState::Inner& state) noexcept {
-  const bool room = carve_all(state, state.last.bur);
-  state.pending_sweep = {};
-  state.cut_valid = false;
-  state.memory.break_path();
-  state.sweeps.break_path();
-  state.surface->set_cutting(cutting_of(state));
-  return room;
-}
-
-void make_room_between_strokes(StepState::Inner& state) noexcept {
-  if (!make_room(state.sweeps, state.volume)) return;
-  state.cut_first = 0;
-  state.cut_last = Sweeps::kNone;
-  state.surface->forget();
-  state.surface->set_cutting(cutting_of(state));
-}
-
-void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept {
-  const Scene& scene = *state.scene;
-  const Vec3 device = tick.device, before = state.proxy;
-  Motion motion{device - state.device};
-  motion.moved = length_of(motion.way);
-  Contact contact = follow_device(state, tick, motion, out);
-  motion.slid = contact.pose_mm - state.proxy;
-  update_prediction(state, contact, motion);
-  state.proxy = contact.pose_mm;
-  Touched touched = touched_by(scene, contact);
-  const double push_mm = length_of(device - state.proxy);
-
-  // A deferred contact has not converged, so the push is not known: such a tick cuts nothing (swept_whole() in carve.h).
-  if (tick.cut && contact.active > 0 && push_mm > 1e-6 && !contact.deferred) {
-    contact = cut_tissue(state, tick, contact, motion, touched, push_mm, out);
-    if (contact.active > 0) touched = touched_by(scene, contact);
-  } else if (state.cut_valid && (!tick.cut || contact.active == 0 || contact.deferred)) {
-    out.overflow = !end_stroke(state) || out.overflow;
-    if (contact.active == 0) make_room_between_strokes(state);
-  }
-
-  out.deferred = contact.deferred;
-  out.shank = contact.shank();
-  out.contact = contact.active > 0 && length_of(state.proxy - device) > 1e-6;
-  if (out.contact) press_back(state, tick, touched, before, out);
-}
+std::unique_ptr<ContactMethod> make_surface_method() { return std::make_unique<SurfaceMethod>(); }
 
 }  // namespace cusp::engine
