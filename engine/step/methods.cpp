@@ -1,9 +1,23 @@
 #include "engine/step/methods.h"
 
-#include "engine/contact/friction.h"
 #include "engine/step/state.h"
 
 namespace cusp::engine {
+
+namespace {
+
+constexpr double kFrictionWholeMmS = 2.0;  // speed at which the Coulomb force is whole
+
+/// Coulomb friction against the proxy's velocity, N. Regularised by that speed: at rest it holds nothing, so it cannot feed
+/// energy. spring_n: the push that the cone stands on.
+Vec3 coulomb_n(Vec3 velocity_mm_s, double coefficient, double spring_n) noexcept {
+  const double speed = length_of(velocity_mm_s);
+  if (!(speed > 1e-9)) return Vec3(0.0);
+  const double whole = speed < kFrictionWholeMmS ? speed / kFrictionWholeMmS : 1.0;
+  return velocity_mm_s * (-coefficient * spring_n * whole / speed);
+}
+
+}  // namespace
 
 Advance advance_of(const StepState::Inner& state, const Tick& tick, const Pressed& pressed, const StepOutput& now) noexcept {
   const Scene& scene = *state.scene;
