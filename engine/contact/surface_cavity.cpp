@@ -76,7 +76,7 @@ glm::dmat3 SurfaceContact::bend_of(const Origin& origin, Vec3 at) const noexcept
   if (origin.kept >= 0 || origin.trusted_plane || c.kind == Kind::shank) return glm::dmat3(0.0);
   Vec3 off = at - c.point, along(0.0);
   double curved = 0.0;
-  if (c.kind == Kind::edge && !nearest_on(c, voxel_mm_, 1e3, off, along, curved)) curved = 0.0;
+  if (c.kind == Kind::edge && !nearest_on(c, 1e3, off, along, curved)) curved = 0.0;
   const double distance = length_of(off);
   if (distance < 1e-6) return glm::dmat3(0.0);
   const Vec3 n = off / distance;

@@ -12,6 +12,10 @@ namespace {
 constexpr double kNoWay2 = 1e-18;    // mm^2: a place nearer to a point or an edge has no direction from it
 constexpr double kRounding = 1e-9;   // mm: far more than a distance to a head is rounded by
 constexpr double kMostShift = 0.06;  // mm: near candidates are reused within this of the last full build
+constexpr double kLeavesTangent = 0.25;  // voxels that a cell's edge leaves its tangent by at most
+constexpr double kEdgeClose = 1e-4;      // voxels: leaves its distance off by 1e-8, the normal by 2e-6 degrees
+constexpr double kEdgeBends = 0.02;      // below, it bends about the place about as the ball does
+constexpr int kEdgeNewton = 4;           // steps of Newton along an edge
 
 }  // namespace
 
@@ -96,8 +100,17 @@ struct SurfaceContact::EdgePair {
     pz = dz - s * (tz + s * (bz + s * (wz + s * qz)));
   }
 
-  /// By Newton along the edges from t: the way from their nearest places to the pose.
-  void nearest(Pair t, PairMask near, double close, Pair& ox, Pair& oy, Pair& oz) const noexcept {
+  /// d: from the edges' points to the pose.
+  [[gnu::always_inline]] static EdgePair of(const Candidate& a, const Candidate& b, Pair dx, Pair dy, Pair dz) noexcept {
+    const CutFeature &fa = *a.feature, &fb = *b.feature;
+    const Vec3f &ba = fa.other_normal, &bb = fb.other_normal, &wa = fa.third_normal, &wb = fb.third_normal, &qa = fa.fourth, &qb = fb.fourth;
+    return {dx, dy, dz, {a.normal.x, b.normal.x}, {a.normal.y, b.normal.y}, {a.normal.z, b.normal.z},
+            {ba.x, bb.x}, {ba.y, bb.y}, {ba.z, bb.z}, {wa.x, wb.x}, {wa.y, wb.y}, {wa.z, wb.z}, {qa.x, qb.x}, {qa.y, qb.y}, {qa.z, qb.z},
+            {fa.other_d_mm, fb.other_d_mm}, {fa.third_d_mm, fb.third_d_mm}};
+  }
+
+  /// By Newton along the edges from t: their nearest places, and the way from there to the pose.
+  [[gnu::always_inline]] void nearest(Pair& t, PairMask near, double close, Pair& ox, Pair& oy, Pair& oz) const noexcept {
     PairMask active = near;
     PairMask bent = near & ~near;
     for (int pass = 0; pass <= kEdgeNewton; ++pass) {
@@ -124,11 +137,12 @@ struct SurfaceContact::EdgePair {
       if (bits_of(active) == 0) break;
       t = active ? next : t;
     }
-    if (bits_of(bent) != 0) nearest_of_three(bent, ox, oy, oz);
+    if (bits_of(bent) != 0) nearest_of_three(bent, t, ox, oy, oz);
   }
 
-  /// Of edges that are as far all along: the nearest of their ends and middles.
-  void nearest_of_three(PairMask bent, Pair& ox, Pair& oy, Pair& oz) const noexcept {
+  /// Of edges that bend about the pose about as the ball does, and are as far all along: the nearest of their ends and middles is
+  /// so to 10 nm.
+  void nearest_of_three(PairMask bent, Pair& t, Pair& ox, Pair& oy, Pair& oz) const noexcept {
     Pair nearest2 = both(1e300);
     for (const Pair s : {from, to, 0.5 * (from + to)}) {
       Pair px, py, pz;
@@ -136,12 +150,35 @@ struct SurfaceContact::EdgePair {
       const Pair square = px * px + py * py + pz * pz;
       const PairMask nearer = bent & (square < nearest2);
       nearest2 = nearer ? square : nearest2;
+      t = nearer ? s : t;
       ox = nearer ? px : ox;
       oy = nearer ? py : oy;
       oz = nearer ? pz : oz;
     }
   }
 };
+
+/// The nearest place of an edge's piece. `off`: from the edge's middle to a place; then from that nearest place to it.
+/// along, curved: the curve's derivative there, and half the second derivative of the squared distance along it. False at
+/// the piece's end, and where all of it is further than far_mm (then along is not computed).
+bool SurfaceContact::nearest_on(const Candidate& edge, double far_mm, Vec3& off, Vec3& along, double& curved) const noexcept {
+  const CutFeature& f = *edge.feature;
+  const Vec3 d = off, tangent = edge.normal;
+  const double from = f.other_d_mm, to = f.third_d_mm, reach = far_mm + kLeavesTangent * voxel_mm_;
+  double t = glm::dot(d, tangent);
+  t = t < from ? from : t > to ? to : t;
+  off = d - t * tangent;
+  curved = 1e300;
+  if (glm::dot(off, off) > reach * reach) return false;
+  Pair at = both(t), x = both(off.x), y = both(off.y), z = both(off.z);
+  EdgePair::of(edge, edge, both(d.x), both(d.y), both(d.z)).nearest(at, Pair{} == Pair{}, kEdgeClose * voxel_mm_, x, y, z);
+  off = {x[0], y[0], z[0]};
+  t = at[0];
+  const Vec3 bend(f.other_normal), fourth(f.fourth), turn = Vec3(f.third_normal) + t * fourth;
+  along = tangent + t * (2.0 * bend + t * (3.0 * turn + t * fourth));
+  curved = glm::dot(along, along) - glm::dot(2.0 * bend + t * (6.0 * turn + (6.0 * t) * fourth), off);
+  return t > from && t < to;
+}
 
 /// Constraints of broad_edges_, two at a time: as nearest_on() and plane_of().
 inline void SurfaceContact::add_edge_constraints(const Tool& tool, Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept {
@@ -154,8 +191,7 @@ inline void SurfaceContact::add_edge_constraints(const Tool& tool, Vec3 centre, 
     const Pair fx = x - centre.x, fy = y - centre.y, fz = z - centre.z;
     const Pair dx = at.x - x, dy = at.y - y, dz = at.z - z;
     const Pair tx{a.normal.x, b.normal.x}, ty{a.normal.y, b.normal.y}, tz{a.normal.z, b.normal.z};
-    const CutFeature &fa = *a.feature, &fb = *b.feature;
-    const Pair from{fa.other_d_mm, fb.other_d_mm}, to{fa.third_d_mm, fb.third_d_mm};
+    const Pair from{a.feature->other_d_mm, b.feature->other_d_mm}, to{a.feature->third_d_mm, b.feature->third_d_mm};
     const Pair r{tool.bur->radius_mm - tool.thin(a.field), tool.bur->radius_mm - tool.thin(b.field)};
     const Pair far = r + slack_mm;
     Pair t = dx * tx + dy * ty + dz * tz;
@@ -165,10 +201,7 @@ inline void SurfaceContact::add_edge_constraints(const Tool& tool, Vec3 centre, 
     const PairMask near = (ox * ox + oy * oy + oz * oz <= reach * reach) & (fx * fx + fy * fy + fz * fz <= reach2);
     const unsigned asked = bits_of(near) & (j + 1 < broad_edges_.count ? 3u : 1u);
     if (asked == 0) continue;
-    const Vec3f &ba = fa.other_normal, &bb = fb.other_normal, &wa = fa.third_normal, &wb = fb.third_normal, &qa = fa.fourth, &qb = fb.fourth;
-    const EdgePair edges{dx, dy, dz, tx, ty, tz, {ba.x, bb.x}, {ba.y, bb.y}, {ba.z, bb.z}, {wa.x, wb.x}, {wa.y, wb.y}, {wa.z, wb.z},
-                         {qa.x, qb.x}, {qa.y, qb.y}, {qa.z, qb.z}, from, to};
-    edges.nearest(t, near, close, ox, oy, oz);
+    EdgePair::of(a, b, dx, dy, dz).nearest(t, near, close, ox, oy, oz);
     const Pair square = ox * ox + oy * oy + oz * oz;
     const Pair distance = sqrt_of(square);
     const Pair gap = distance - r;

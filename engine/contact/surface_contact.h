@@ -119,10 +119,6 @@ class SurfaceContact {
   static constexpr double kPlaneReach = 0.8;        // voxels beside its point within which a plane stands for the surface
   static_assert(kPlaneReach >= kHalfEdge, "a head that is gathered for planes has its edges too");
   static constexpr std::uint16_t kNoBur = 0xffff;  // of a ball that no scene names
-  static constexpr double kLeavesTangent = 0.25;    // voxels that a cell's edge leaves its tangent by at most
-  static constexpr double kEdgeClose = 1e-4;        // voxels: leaves its distance off by 1e-8, the normal by 2e-6 degrees
-  static constexpr double kEdgeBends = 0.02;        // below, it bends about the place about as the ball does
-  static constexpr int kEdgeNewton = 4;             // steps of Newton along an edge
   enum class Kind : std::uint8_t { surface, edge, inside, shank };
   struct Candidate {
     Vec3 point{0.0}, normal{0.0};          // an edge's tangent
@@ -273,7 +269,7 @@ class SurfaceContact {
   Constraint plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm) const noexcept;
   void find_past(const Tool& tool, Vec3 at) noexcept;
   void relax_by_past(std::size_t from, std::size_t to) noexcept;
-  static bool nearest_on(const Candidate& edge, double voxel_mm, double far_mm, Vec3& off, Vec3& along, double& curved) noexcept;
+  bool nearest_on(const Candidate& edge, double far_mm, Vec3& off, Vec3& along, double& curved) const noexcept;
   static constexpr double kLongestLeap = 10.0, kFarthestLeapMm = 0.3;  // of the last pass's move, and mm
   Vec3 leap_of_ball(const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept;
   void turn(const Tool& tool, Vec3 y, std::size_t plane) noexcept;

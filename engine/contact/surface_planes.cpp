@@ -54,56 +54,6 @@ double distance_to_edge(const Bur& bur, Vec3 axis, Vec3 y, Vec3 middle, Vec3 tan
 
 }  // namespace
 
-/// The nearest place of an edge's piece. `off`: from the edge's middle to a place; then from that nearest place to it.
-/// along, curved: the curve's derivative there, and half the second derivative of the squared distance along it. False at
-/// the piece's end, and where all of it is further than far_mm (then nothing else is computed).
-bool SurfaceContact::nearest_on(const Candidate& edge, double voxel_mm, double far_mm, Vec3& off, Vec3& along,
-                                double& curved) noexcept {
-  const Vec3 d = off;
-  const CutFeature& f = *edge.feature;
-  const Vec3 tangent = edge.normal, bend(f.other_normal), twist(f.third_normal), fourth(f.fourth);
-  const double from = f.other_d_mm, to = f.third_d_mm;
-  double t = glm::dot(d, tangent);
-  t = t < from ? from : t > to ? to : t;
-  const Vec3 straight = d - t * tangent;
-  const double reach = far_mm + kLeavesTangent * voxel_mm;
-  curved = 1e300;
-  off = straight;
-  if (glm::dot(straight, straight) > reach * reach) return false;
-  const auto look = [&](double at) {
-    const Vec3 turn = twist + at * fourth;
-    off = d - at * (tangent + at * (bend + at * turn));
-    along = tangent + at * (2.0 * bend + at * (3.0 * turn + at * fourth));
-    curved = glm::dot(along, along) - glm::dot(2.0 * bend + at * (6.0 * turn + (6.0 * at) * fourth), off);
-  };
-  // Newton from the tangent's nearest place.
-  const double close = kEdgeClose * voxel_mm;
-  for (int pass = 0; pass < kEdgeNewton; ++pass) {
-    look(t);
-    if (!(curved > kEdgeBends)) break;
-    const double step = glm::dot(off, along) / curved;
-    const double next = t + step < from ? from : t + step > to ? to : t + step;
-    if (std::fabs(next - t) < close) return t > from && t < to;
-    t = next;
-  }
-  if (curved > kEdgeBends) {
-    look(t);
-    return t > from && t < to;
-  }
-  // The edge bends about the place about as the ball does, and is as far all along: the nearest of three is so to 10 nm.
-  const double places[3] = {from, to, 0.5 * (from + to)};
-  double nearest2 = 1e300;
-  for (const double place : places) {
-    look(place);
-    const double square = glm::dot(off, off);
-    if (square >= nearest2) continue;
-    nearest2 = square;
-    t = place;
-  }
-  look(t);
-  return t > from && t < to;
-}
-
 /// Of a ball at y, `off` away from what it touches.
 SurfaceContact::Constraint SurfaceContact::tangent_of(Vec3 off, Vec3 y, double r, double slack_mm) noexcept {
   Constraint out;
@@ -272,7 +222,7 @@ SurfaceContact::Constraint SurfaceContact::plane_of(const Tool& tool, const Cand
   if (c.kind == Kind::surface) return plane_of_surface(r, c, y, slack_mm);
   Vec3 d = y - c.point, along;
   double curved = 0.0;
-  nearest_on(c, voxel_mm_, r + slack_mm, d, along, curved);
+  nearest_on(c, r + slack_mm, d, along, curved);
   return tangent_of(d, y, r, slack_mm);
 }
 
@@ -326,7 +276,7 @@ Vec3 SurfaceContact::leap_of_ball(const PlaneSearch& found, Vec3 at, Vec3 off_by
     if (origin.trusted_plane || origin.relaxed || c.kind == Kind::shank || (c.kind == Kind::surface && !close)) continue;
     Vec3 off = at - c.point, along(0.0);
     double curved = 0.0;
-    if (c.kind == Kind::edge && !nearest_on(c, voxel_mm_, 1e3, off, along, curved)) curved = 0.0;
+    if (c.kind == Kind::edge && !nearest_on(c, 1e3, off, along, curved)) curved = 0.0;
     const double distance = length_of(off);
     if (distance < 1e-6) continue;
     const Vec3 out = off / distance;
