@@ -1,5 +1,6 @@
 #include "engine/contact/cells_near.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cusp::engine {
@@ -35,17 +36,12 @@ void add_cylinder(const TwoCylinders& shape, float from, float to, float radius,
   const float up = axis.z, beside = radius * std::sqrt(up < 1.0f && up > -1.0f ? 1.0f - up * up : 0.0f);
   for (int z = 0; z < 8; ++z) {
     // Of the axis' places those that are level with the slice, give or take the radius.
-    float t0 = (z - kOutside - shape.at.z - beside) / up, t1 = (z + 1.0f + kOutside - shape.at.z + beside) / up;
-    if (up < 0.0f) {
-      t0 = (z + 1.0f + kOutside - shape.at.z + beside) / up;
-      t1 = (z - kOutside - shape.at.z - beside) / up;
-    }
-    t0 = t0 < from ? from : t0;
-    t1 = t1 > to ? to : t1;
+    const float below = (z - kOutside - shape.at.z - beside) / up, above = (z + 1.0f + kOutside - shape.at.z + beside) / up;
+    const float t0 = std::max(std::min(below, above), from), t1 = std::min(std::max(below, above), to);
     if (t0 > t1) continue;
     const Vec3f a = shape.at + axis * t0, b = shape.at + axis * t1;
-    out.slice[z] |= cells_within((a.x < b.x ? a.x : b.x) - radius, (a.x < b.x ? b.x : a.x) + radius,
-                                 (a.y < b.y ? a.y : b.y) - radius, (a.y < b.y ? b.y : a.y) + radius);
+    const Vec3f low = glm::min(a, b) - radius, high = glm::max(a, b) + radius;
+    out.slice[z] |= cells_within(low.x, high.x, low.y, high.y);
   }
 }
 
