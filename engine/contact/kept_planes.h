@@ -18,18 +18,14 @@ class KeptPlanes {
  public:
   static constexpr int kMost = 6;  // the newest: two passes of three
 
-  void clear() noexcept { count_ = next_ = 0; }
-  void add(const KeptPlane& kept) noexcept {
-    at_[next_] = kept;
-    next_ = (next_ + 1) % kMost;
-    if (count_ < kMost) ++count_;
-  }
-  int count() const noexcept { return count_; }
+  void clear() noexcept { added_ = 0; }
+  void add(const KeptPlane& kept) noexcept { at_[added_++ % kMost] = kept; }
+  int count() const noexcept { return added_ < kMost ? added_ : kMost; }
   const KeptPlane& operator[](int i) const noexcept { return at_[i]; }
 
  private:
   KeptPlane at_[kMost];
-  int count_ = 0, next_ = 0;
+  int added_ = 0;
 };
 
 }  // namespace cusp::engine
