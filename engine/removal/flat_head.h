@@ -119,11 +119,7 @@ inline Lanes distance_of(const AtHand& hand, Lanes t, Lanes rho, Lanes& gt, Lane
     if (!piece.arc) {
       const Lanes on = (t - piece.ft) * piece.nr - (rho - piece.fr) * piece.nt;
       above = (on >= 0.0f) & (on <= piece.length);
-      d = t * piece.nt + rho * piece.nr - piece.level;
-      if constexpr (kGradient) {
-        nt = all_lanes(piece.nt);
-        nr = all_lanes(piece.nr);
-      }
+      d = distance_of_one<kGradient>(piece, t, rho, nt, nr);
     } else {
       const Lanes vt = t - piece.ft, vr = rho - piece.fr;
       above = (vr * piece.mt - vt * piece.mr <= 0.0f) & (vt * piece.lr - vr * piece.lt <= 0.0f);
