@@ -73,20 +73,13 @@ void CutSurface::changed(const Volume& volume, const ChangedVoxels& voxels) noex
   const IVec3 corner((voxels.low >> 3) * kBrickEdge);
   const FieldReaders readers(voxels);
   // A creased cell reads the voxels of the cells two away, too.
-  const IVec3 far_low = voxels.low - 4, far_high = voxels.high + 3;
-  for (int bz = far_low.z >> 3; bz <= far_high.z >> 3; ++bz)
-    for (int by = far_low.y >> 3; by <= far_high.y >> 3; ++by)
-      for (int bx = far_low.x >> 3; bx <= far_high.x >> 3; ++bx) {
-        const int brick = specimen.brick_index({bx, by, bz});
-        if (brick < 0 || volume.cut_slot(brick) < 0) continue;
-        Slot& slot = slots_[static_cast<std::size_t>(volume.cut_slot(brick))];
-        const IVec3 first = IVec3(bx, by, bz) * kBrickEdge;
-        for (int z = 0; z < kBrickEdge; ++z) slot.stale[z] |= readers.in(first - corner, z);
-        const IVec3 a = glm::max(far_low - first, IVec3(0)), b = glm::min(far_high - first, IVec3(7));
-        std::uint64_t far = 0;
-        for (int y = a.y; y <= b.y; ++y) far |= static_cast<std::uint64_t>((2u << b.x) - (1u << a.x)) << (8 * y);
-        for (int z = a.z; z <= b.z; ++z) slot.stale[z] |= far & slot.creased[z];
-      }
+  for_bricks_of(voxels.low - 4, voxels.high + 3, [&](const ChangedVoxels& far) {
+    const IVec3 at = far.low >> 3;
+    const int brick = specimen.brick_index(at);
+    if (brick < 0 || !volume.has_cut(brick)) return;
+    Slot& slot = slots_[static_cast<std::size_t>(volume.cut_slot(brick))];
+    for (int z = 0; z < kBrickEdge; ++z) slot.stale[z] |= readers.in(at * kBrickEdge - corner, z) | (far.slice[z] & slot.creased[z]);
+  });
 }
 
 void CutSurface::changed_unresolved(const Volume& volume, IVec3 low, IVec3 high) noexcept {
