@@ -174,30 +174,6 @@ PlaneSearch SurfaceContact::nearest_in_metric(const Metric& metric, Vec3 y, Vec3
   return found;
 }
 
-void SurfaceContact::note_in_cavity(const Volume& volume, const PlaneSearch& found, Contact& out) const noexcept {
-  out.active = found.active;
-  for (int a = 0; a < found.active; ++a) {
-    const auto i = static_cast<std::size_t>(found.index[a]);
-    out.normal[a] = planes_.n(i);
-    out.weight[a] = found.weight[a];
-    const Origin& origin = origins_[i];
-    if (origin.kept >= 0) {
-      out.tissue[a] = kept_planes_[origin.kept].tissue;
-      out.of_shank[a] = kept_planes_[origin.kept].of_shank;
-      continue;
-    }
-    if (origin.candidate >= 0) {
-      const Candidate& c = candidates_[static_cast<std::size_t>(origin.candidate)];
-      out.tissue[a] = c.tissue;
-      out.of_shank[a] = c.kind == Kind::shank;
-      continue;
-    }
-    out.of_shank[a] = false;
-    const CavityConstraint& wall = walls_.constraints()[static_cast<std::size_t>(-1 - origin.candidate)];
-    out.tissue[a] = tissue_under(volume, wall.foot, wall.n);
-  }
-}
-
 /// True if a ball at `from` comes near what balls have cut within a step.
 bool SurfaceContact::near_cavity(const Volume& volume, const Tool& tool, Vec3 from, double step) noexcept {
   const bool near = walls_.near(volume, {from, tool.bur->radius_mm - tool.thin_cut, step + kNearCavityMm});
@@ -251,7 +227,7 @@ Contact SurfaceContact::solve_in_cavity(const Volume& volume, const Tool& tool, 
       bend = bend_of(found, y);
     }
     if (!found.feasible) break;
-    note_in_cavity(volume, found, out);
+    note(volume, found, Polished{}, out);
     const Vec3 way = found.y - y;
     const double far = length_of(way);
     // A search that turns back goes to and fro between two places of a feature: both count from now on.

@@ -114,16 +114,27 @@ Tissue SurfaceContact::tissue_under(const Volume& volume, Vec3 place, Vec3 outwa
   return volume.tissue(cell_of_voxels(under + 0.5));
 }
 
-void SurfaceContact::note(const PlaneSearch& found, const Polished& polished, Contact& out) const noexcept {
+/// What holds the bur: a candidate, a plane that an earlier pass has kept, or a wall of the cavity.
+void SurfaceContact::note(const Volume& volume, const PlaneSearch& found, const Polished& polished, Contact& out) const noexcept {
   const PlaneSearch& held = polished.accepted ? polished.search : found;
   out.active = held.active;
   for (int a = 0; a < held.active; ++a) {
     const auto i = static_cast<std::size_t>(found.index[a]);
-    const Candidate& c = candidates_[static_cast<std::size_t>(polished.accepted ? polished.candidate[a] : origins_[i].candidate)];
+    const Origin origin = polished.accepted ? Origin{polished.candidate[a]} : origins_[i];
     out.normal[a] = polished.accepted ? polished.normal[a] : planes_.n(i);
     out.weight[a] = held.weight[a];
-    out.tissue[a] = c.tissue;
-    out.of_shank[a] = c.kind == Kind::shank;
+    if (origin.kept >= 0) {
+      out.tissue[a] = kept_planes_[origin.kept].tissue;
+      out.of_shank[a] = kept_planes_[origin.kept].of_shank;
+    } else if (origin.candidate >= 0) {
+      const Candidate& c = candidates_[static_cast<std::size_t>(origin.candidate)];
+      out.tissue[a] = c.tissue;
+      out.of_shank[a] = c.kind == Kind::shank;
+    } else {
+      const CavityConstraint& wall = walls_.constraints()[static_cast<std::size_t>(-1 - origin.candidate)];
+      out.tissue[a] = tissue_under(volume, wall.foot, wall.n);
+      out.of_shank[a] = false;
+    }
   }
 }
 
@@ -187,7 +198,7 @@ Contact SurfaceContact::after_cut(const Volume& volume, const Scene& scene, std:
     if (found.feasible && !out.infeasible &&
         length_of(found.y - before.pose_mm) <= std::min(active_set_.room_mm, 2.0 * advance_mm + kTangentsHoldMm)) {
       out.pose_mm = found.y;
-      note(found, Polished{}, out);
+      note(volume, found, Polished{}, out);
       return out;
     }
   }

@@ -286,7 +286,6 @@ class SurfaceContact {
   static constexpr double kNearCavityMm = 0.02;  // beyond a step: a ball this near to what balls have cut is solved in the cavity
   bool near_cavity(const Volume& volume, const Tool& tool, Vec3 from, double step) noexcept;
   bool refine_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, const PlaneSearch& found, CavityWalls::Jump jump, int steps) noexcept;
-  void note_in_cavity(const Volume& volume, const PlaneSearch& found, Contact& out) const noexcept;
   struct PlaneSolve;
   void begin_search(const Volume& volume, const Tool& tool, PlaneSolve& s) noexcept;
   Vec3 leap_of_head(const PlaneSearch& found, Vec3 y, PlaneSolve& s, bool& rolls) const noexcept;
@@ -310,7 +309,7 @@ class SurfaceContact {
   bool polish_holds(const Tool& tool, Vec3 at, const Touching& t) const noexcept;
   Polished polish(const Volume& volume, const Tool& tool, Vec3 y, Vec3 device, const PlaneSearch& found) noexcept;
   HeadFoot foot_of(const Tool& tool, Field field, Vec3 normal, Vec3 point, Vec3 pose) const noexcept;
-  void note(const PlaneSearch& found, const Polished& polished, Contact& out) const noexcept;
+  void note(const Volume& volume, const PlaneSearch& found, const Polished& polished, Contact& out) const noexcept;
   bool clear_path(const Volume& volume, const Tool& tool, Vec3 from, Vec3 to) const noexcept;
   bool inside_tissue(const Volume& volume, Vec3 pose) const noexcept;
   Tissue tissue_under(const Volume& volume, Vec3 place, Vec3 outwards) const noexcept;

@@ -203,7 +203,7 @@ bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolv
   go_to(found, polished, whole, s);
   active_set_.fresh = !polished.accepted && !s.left;
   active_set_.room_mm = s.within - off;
-  note(found, polished, s.out);
+  note(volume, found, polished, s.out);
   return !s.left && !settled(tool, found, polished, s);
 }
 
