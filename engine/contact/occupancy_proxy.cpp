@@ -10,17 +10,8 @@ constexpr int kMoves = 64;
 constexpr double kRayStepMm = 0.1;  // never coarser (paper, from [21]), nor than a quarter voxel
 }  // namespace
 
-VoxelContact OccupancyProxy::solve(const Volume& volume, const Scene& scene, std::size_t bur, Vec3 from,
-                                   Vec3 device) noexcept {
+VoxelContact OccupancyProxy::solve(const Grid& grid, std::size_t bur, Vec3 from, Vec3 device) const noexcept {
   VoxelContact out;
-  overlap_.forget_hits();
-  const Grid& grid = volume.grid();
-
-  if (overlap_.apart(volume, scene, bur, from, device)) {
-    out.pose_mm = device;
-    return out;
-  }
-
   // Second stage: neighbour by neighbour. Ties go to the lowest neighbour, z slowest.
   IVec3 at = ToolOverlap::voxel_at(grid, from);
   int moves = 0;
@@ -67,7 +58,6 @@ VoxelContact OccupancyProxy::solve(const Volume& volume, const Scene& scene, std
   }
   out.pose_mm = pose;
   out.touching = !arrived;
-  if (!arrived) overlap_.hit_further(volume, bur, device, out);
   return out;
 }
 

@@ -11,7 +11,8 @@ class OccupancyProxy {
  public:
   OccupancyProxy(const Scene& scene, const Volume& volume) : overlap_(scene, volume) {}
 
-  VoxelContact solve(const Volume& volume, const Scene& scene, std::size_t bur, Vec3 from, Vec3 device) noexcept;
+  /// Pre: from and device are not ToolOverlap::apart().
+  VoxelContact solve(const Grid& grid, std::size_t bur, Vec3 from, Vec3 device) const noexcept;
   ToolOverlap& overlap() noexcept { return overlap_; }
 
  private:

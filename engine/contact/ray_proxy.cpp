@@ -233,14 +233,8 @@ bool RayProxy::step_nearer(const Grid& grid, std::size_t bur, At& at, Vec3 devic
   return found || jag;
 }
 
-VoxelContact RayProxy::solve(const Volume& volume, const Scene& scene, std::size_t bur, Vec3 from,
-                             Vec3 device) noexcept {
+VoxelContact RayProxy::solve(const Grid& grid, std::size_t bur, Vec3 from, Vec3 device) const noexcept {
   VoxelContact out;
-  overlap_.forget_hits();
-  out.pose_mm = device;
-  if (overlap_.apart(volume, scene, bur, from, device)) return out;
-
-  const Grid& grid = volume.grid();
   const double voxel = grid.voxel_mm;
   At at{from, ToolOverlap::voxel_at(grid, from)};
   bool arrived = walk(grid, bur, at, device);
@@ -276,15 +270,10 @@ VoxelContact RayProxy::solve(const Volume& volume, const Scene& scene, std::size
       side_of = at.voxel;
     }
   }
-  out.deferred = known && !resting;
   if (moved) arrived = walk(grid, bur, at, device);
   out.pose_mm = at.p;
   out.touching = !arrived;
-  if (arrived) {
-    out.deferred = false;
-    return out;
-  }
-  overlap_.hit_further(volume, bur, device, out);
+  out.deferred = known && !resting && !arrived;
   return out;
 }
 

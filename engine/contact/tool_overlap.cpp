@@ -57,8 +57,7 @@ bool ToolOverlap::free(std::size_t bur, IVec3 pivot) const noexcept {
   return !any(tools_[bur].cutting, pivot) && !any(tools_[bur].holder, pivot);
 }
 
-bool ToolOverlap::apart(const Volume& volume, const Scene& scene, std::size_t bur, Vec3 from, Vec3 to) const noexcept {
-  const Grid& grid = volume.grid();
+bool ToolOverlap::apart(const Grid& grid, const Scene& scene, std::size_t bur, Vec3 from, Vec3 to) const noexcept {
   const IVec3 a = voxel_at(grid, glm::min(from, to));
   const IVec3 b = voxel_at(grid, glm::max(from, to));
   const Bur& shape = scene.burs[bur];
@@ -74,8 +73,7 @@ bool ToolOverlap::apart(const Volume& volume, const Scene& scene, std::size_t bu
   return false;
 }
 
-void ToolOverlap::hit_further(const Volume& volume, std::size_t bur, Vec3 device, VoxelContact& contact) noexcept {
-  const Grid& grid = volume.grid();
+void ToolOverlap::hit_further(const Grid& grid, std::size_t bur, Vec3 device, VoxelContact& contact) noexcept {
   const Tool& tool = tools_[bur];
   const Vec3 push = device - contact.pose_mm;
   const double most = std::max(std::fabs(push.x), std::max(std::fabs(push.y), std::fabs(push.z)));

@@ -52,9 +52,9 @@ class ToolOverlap {
 
   bool free(std::size_t bur, IVec3 pivot) const noexcept;
   /// First stage: nowhere between the two poses can the bur's box meet the tissue's box.
-  bool apart(const Volume& volume, const Scene& scene, std::size_t bur, Vec3 from, Vec3 to) const noexcept;
+  bool apart(const Grid& grid, const Scene& scene, std::size_t bur, Vec3 from, Vec3 to) const noexcept;
   /// What would hit one voxel further from contact.pose_mm towards the device point: step, hits, offset and shank.
-  void hit_further(const Volume& volume, std::size_t bur, Vec3 device, VoxelContact& contact) noexcept;
+  void hit_further(const Grid& grid, std::size_t bur, Vec3 device, VoxelContact& contact) noexcept;
   /// Cutting voxels of the last hit_further(); at most as many as the tool has. Emptied by forget_hits().
   std::span<const IVec3> hit_voxels() const noexcept { return {hit_.data(), hit_count_}; }
   void forget_hits() noexcept { hit_count_ = 0; }

@@ -73,8 +73,14 @@ class FilledMethod final : public ContactMethod {
   explicit FilledMethod(const StepState::Inner& state) : finder_(*state.scene, state.volume) {}
 
   void tick(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept override {
-    const VoxelContact contact = finder_.solve(state.volume, *state.scene, out.bur, state.proxy, tick.device);
-    answer(state, finder_.overlap(), contact, tick, out);
+    const Grid& grid = state.volume.grid();
+    ToolOverlap& overlap = finder_.overlap();
+    overlap.forget_hits();
+    VoxelContact contact;
+    contact.pose_mm = tick.device;
+    if (!overlap.apart(grid, *state.scene, out.bur, state.proxy, tick.device)) contact = finder_.solve(grid, out.bur, state.proxy, tick.device);
+    if (contact.touching) overlap.hit_further(grid, out.bur, tick.device, contact);
+    answer(state, overlap, contact, tick, out);
   }
   bool end_stroke(StepState::Inner&) noexcept override { return true; }
   bool fits(StepState::Inner& state, std::uint16_t bur, Vec3, Vec3 pose_mm, Look) noexcept override {
