@@ -86,8 +86,7 @@ void ToolOverlap::hit_further(const Grid& grid, std::size_t bur, Vec3 device, Vo
     hit_[hit_count_++] = pivot + o;
     sum -= Vec3(o) * grid.voxel_mm;
   }
-  contact.hits = static_cast<int>(hit_count_);
-  if (contact.hits > 0) contact.mean_offset_mm = sum / static_cast<double>(contact.hits);
+  if (hit_count_ > 0) contact.mean_offset_mm = sum / static_cast<double>(hit_count_);
   contact.shank = !pivot_only_ && any(tool.holder, pivot);
 }
 

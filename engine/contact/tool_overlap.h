@@ -22,8 +22,7 @@ struct VoxelContact {
   bool shank = false;        // the holder hits, one voxel further
   bool deferred = false;     // the moves of one tick were not enough
   IVec3 step{0};             // one voxel further towards the device point
-  int hits = 0;              // cutting voxels that would hit there
-  Vec3 mean_offset_mm{0.0};  // of eq. (3): mean of centre minus collision point
+  Vec3 mean_offset_mm{0.0};  // of eq. (3): mean of centre minus collision point, over the cutting voxels that hit there
 };
 
 /// Voxels x0 to x1 of one row, from a pivot.
@@ -53,7 +52,7 @@ class ToolOverlap {
   bool free(std::size_t bur, IVec3 pivot) const noexcept;
   /// First stage: nowhere between the two poses can the bur's box meet the tissue's box.
   bool apart(const Grid& grid, const Scene& scene, std::size_t bur, Vec3 from, Vec3 to) const noexcept;
-  /// What would hit one voxel further from contact.pose_mm towards the device point: step, hits, offset and shank.
+  /// What would hit one voxel further from contact.pose_mm towards the device point: step, offset, shank and hit_voxels().
   void hit_further(const Grid& grid, std::size_t bur, Vec3 device, VoxelContact& contact) noexcept;
   /// Cutting voxels of the last hit_further(); at most as many as the tool has. Emptied by forget_hits().
   std::span<const IVec3> hit_voxels() const noexcept { return {hit_.data(), hit_count_}; }

@@ -12,12 +12,6 @@ namespace cusp::engine {
 
 namespace {
 
-/// Eq. (3) with K_T from the scene's friction coefficient. The push of the mean offset (about the bur's radius) is this
-/// share of the spring's force. It is scaled by alpha, so that it vanishes with the contact.
-Vec3 tool_friction(const Scene& scene, const VoxelContact& contact, double stiffness, double alpha) noexcept {
-  return contact.mean_offset_mm * (scene.friction_coefficient * stiffness * alpha);
-}
-
 /// Force and wear of a proxy.
 void answer(StepState::Inner& state, ToolOverlap& overlap, const VoxelContact& contact, const Tick& tick,
             StepOutput& out) noexcept {
@@ -33,7 +27,8 @@ void answer(StepState::Inner& state, ToolOverlap& overlap, const VoxelContact& c
   const Specimen& specimen = state.volume.specimen();
   std::array<int, kTissueCodes> count{};
   double sum = 0.0;
-  for (const IVec3& v : overlap.hit_voxels()) {
+  const std::span<const IVec3> hit = overlap.hit_voxels();
+  for (const IVec3& v : hit) {
     const std::size_t t = index_of(specimen.tissue(v));
     ++count[t];
     sum += scene.tissues[t].stiffness_n_per_mm;
@@ -41,7 +36,7 @@ void answer(StepState::Inner& state, ToolOverlap& overlap, const VoxelContact& c
   std::size_t most = 0;
   for (std::size_t t = 1; t < count.size(); ++t)
     if (count[t] > count[most]) most = t;
-  if (contact.hits == 0) {
+  if (hit.empty()) {
     // The holder alone touches, or the proxy is behind a corner: the softest tissue's stiffness avoids a kick.
     double least = 0.0;
     for (std::size_t t = 1; t < kTissueCodes; ++t) {
@@ -50,16 +45,18 @@ void answer(StepState::Inner& state, ToolOverlap& overlap, const VoxelContact& c
     }
     sum = least;
   }
-  const double stiffness = contact.hits > 0 ? sum / contact.hits : sum;
+  const double stiffness = hit.empty() ? sum : sum / static_cast<double>(hit.size());
   out.tissue = static_cast<Tissue>(most);
   out.stiffness_n_per_mm = stiffness;
   const double alpha = wear_coefficient(distance, stiffness, scene.full_force_n);
   out.force_raw_n = stiffness * (state.proxy - tick.device);
-  if (scene.friction && contact.hits > 0) out.force_raw_n += tool_friction(scene, contact, stiffness, alpha);
+  // Eq. (3) with K_T from the scene's friction coefficient. The push of the mean offset (about the bur's radius) is this
+  // share of the spring's force. It is scaled by alpha, so that it vanishes with the contact.
+  if (scene.friction && !hit.empty()) out.force_raw_n += contact.mean_offset_mm * (scene.friction_coefficient * stiffness * alpha);
 
-  if (!tick.cut || contact.hits == 0 || contact.shank) return;
-  const VoxelWear worn = wear_voxels(state.volume, overlap.occupancy(), scene, overlap.hit_voxels(), contact.step,
-                                     alpha, tick.dt_s * tick.removal_factor, state.wear_remainder);
+  if (!tick.cut || hit.empty() || contact.shank) return;
+  const VoxelWear worn = wear_voxels(state.volume, overlap.occupancy(), scene, hit, contact.step, alpha,
+                                     tick.dt_s * tick.removal_factor, state.wear_remainder);
   out.overflow = worn.overflow || out.overflow;
   if (worn.gone) out.overflow = !drop_crumbs(state, worn.low, worn.high) || out.overflow;
   out.cutting = worn.any;
