@@ -27,28 +27,23 @@ inline void SurfaceContact::add_constraint(std::size_t i, const Constraint& cons
   planes_.add(constraint.plane.n, constraint.plane.c);
 }
 
-/// Adds the constraint of one candidate.
-inline void SurfaceContact::constrain(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept {
-  const Candidate& c = candidates_[i];
-  Constraint found = plane_of(tool, c, at, slack_mm);
+/// Adds the constraint of one candidate, if it is near.
+inline void SurfaceContact::constrain(std::size_t i, const Constraint& found) noexcept {
   if (!found.near) return;
-  found.low_mm = glm::dot(found.plane.n, at) - found.plane.c;
-  if (c.kind == Kind::surface) {
-    // A ball may come under its plane a little further on.
-    const double height = glm::dot(c.normal, at) - c.level;
-    if (height > 0.0) found.low_mm = std::min(found.low_mm, height - (tool.bur->radius_mm - tool.thin(c.field)));
-  }
   add_constraint(i, found);
+  const Candidate& c = candidates_[i];
   near_cut_ = near_cut_ || (c.kind != Kind::shank && (c.field == Field::cut || c.kind == Kind::edge));
 }
 
-/// As constrain(), for a head that is no ball. `place`: the candidate's point by the head at `at`.
-inline void SurfaceContact::constrain_head(const Tool& tool, std::size_t i, const ByHead& place, Vec3 at, double slack_mm) noexcept {
-  const Candidate& c = candidates_[i];
-  const Constraint found = plane_of_head(tool, c, place, at, slack_mm);
-  if (!found.near) return;
-  add_constraint(i, found);
-  near_cut_ = near_cut_ || c.field == Field::cut || c.kind == Kind::edge;
+/// plane_of() of a ball, a neck or a shank, with its bound.
+inline SurfaceContact::Constraint SurfaceContact::bounded_plane_of(const Tool& tool, const Candidate& c, Vec3 at, double slack_mm) const noexcept {
+  Constraint out = plane_of(tool, c, at, slack_mm);
+  if (!out.near) return out;
+  out.low_mm = glm::dot(out.plane.n, at) - out.plane.c;
+  // A ball may come under a surface's plane a little further on.
+  const double height = c.kind == Kind::surface ? glm::dot(c.normal, at) - c.level : 0.0;
+  if (height > 0.0) out.low_mm = std::min(out.low_mm, height - (tool.bur->radius_mm - tool.thin(c.field)));
+  return out;
 }
 
 /// Constraints of broad_faces_, two at a time: as plane_of_surface().
@@ -245,7 +240,7 @@ std::size_t SurfaceContact::add_ball_constraints(const Volume& volume, const Too
   add_edge_constraints(tool, centre, edge2, at, slack_mm);
   for (std::size_t j = 0; j < broad_others_.count; ++j) {
     const Vec3 d = candidates_[broad_others_[j]].point - centre;
-    if (glm::dot(d, d) <= ball2) constrain(tool, broad_others_[j], at, slack_mm);
+    if (glm::dot(d, d) <= ball2) constrain(broad_others_[j], bounded_plane_of(tool, candidates_[broad_others_[j]], at, slack_mm));
   }
   return looked;
 }
@@ -271,7 +266,7 @@ std::size_t SurfaceContact::add_head_constraints(const Volume& volume, const Too
     const ByHead place = by_head(*tool.bur, tool.axis, point - at);
     if (place.distance > far + most) return;
     if (place.distance > far - most && head_distance(*tool.bur, tool.axis, point - centre) > far) return;
-    constrain_head(tool, i, place, at, slack_mm);
+    constrain(i, plane_of_head(tool, candidates_[i], place, at, slack_mm));
   });
   return looked;
 }
@@ -296,7 +291,7 @@ std::size_t SurfaceContact::add_shank_constraints(const Volume& volume, const To
     known_of(volume, tool, i);
     ++looked;
     const Vec3 p = candidates_[i].point;
-    if (touches(there, at, p) && touches(shank, centre, p)) constrain(tool, i, at, slack_mm);
+    if (touches(there, at, p) && touches(shank, centre, p)) constrain(i, bounded_plane_of(tool, candidates_[i], at, slack_mm));
   });
   return looked;
 }

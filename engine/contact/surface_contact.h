@@ -230,7 +230,7 @@ class SurfaceContact {
     Plane plane;
     bool near = false;     // it is within the slack
     bool trusted = false;  // it does not turn with the bur
-    double low_mm = 0.0;   // less the bur's way, a bound of its distance from below; of a ball and a shank constrain() sets it
+    double low_mm = 0.0;   // less the bur's way, a bound of its distance from below; of a ball and a shank bounded_plane_of() sets it
   };
   static Constraint tangent_of(Vec3 off, Vec3 y, double r, double slack_mm) noexcept;
   Constraint plane_of_shank(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm) const noexcept;
@@ -256,8 +256,8 @@ class SurfaceContact {
   struct EdgePair;
   void add_edge_constraints(const Tool& tool, Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
   void add_face_constraints(Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
-  void constrain(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept;
-  void constrain_head(const Tool& tool, std::size_t i, const ByHead& place, Vec3 at, double slack_mm) noexcept;
+  Constraint bounded_plane_of(const Tool& tool, const Candidate& c, Vec3 at, double slack_mm) const noexcept;
+  void constrain(std::size_t i, const Constraint& found) noexcept;
   void add_constraint(std::size_t i, const Constraint& constraint) noexcept;
   CellsNear cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm) const noexcept;
   bool raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept;
