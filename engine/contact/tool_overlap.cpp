@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/volume/cell_field.h"
+#include "engine/volume/fragments.h"
 
 namespace cusp::engine {
 
@@ -92,7 +93,6 @@ void ToolOverlap::hit_further(const Grid& grid, std::size_t bur, Vec3 device, Vo
 
 bool ToolOverlap::remove_along(Volume& volume, std::size_t bur, Vec3 from, Vec3 to) noexcept {
   const Grid& grid = volume.grid();
-  const Specimen& specimen = volume.specimen();
   const Vec3 way = to - from;
   const int samples = static_cast<int>(std::ceil(std::sqrt(glm::dot(way, way)) / (0.25 * grid.voxel_mm))) + 1;
   bool room = true;
@@ -100,16 +100,7 @@ bool ToolOverlap::remove_along(Volume& volume, std::size_t bur, Vec3 from, Vec3 
     const IVec3 pivot = voxel_at(grid, from + way * (static_cast<double>(i) / samples));
     for (const IVec3& o : tools_[bur].voxels.cutting) {
       const IVec3 v = pivot + o;
-      if (!occupancy_.occupied(v)) continue;
-      const int brick = specimen.brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
-      std::uint16_t* values = volume.cut_for_writing(brick);
-      if (values == nullptr) {
-        room = false;
-        continue;
-      }
-      values[brick_offset(v.x & 7, v.y & 7, v.z & 7)] = 0;
-      occupancy_.vanish(v);
-      volume.touched(brick);
+      if (occupancy_.occupied(v)) room = remove_voxels(volume, occupancy_, {&v, 1}) && room;
     }
   }
   return room;
