@@ -13,7 +13,6 @@ inline constexpr double kUnknownRpm = 210e3;         // of a scene without a han
 struct HeatState {
   double rise_k = 0.0;  // above the tooth at rest
   bool over = false;    // at or above the criterion; falls back below four fifths of it
-  friend bool operator==(const HeatState&, const HeatState&) = default;
 };
 
 struct HeatTick {

@@ -38,7 +38,6 @@ constexpr SpindleSettings settings_of(Handpiece handpiece) noexcept {
 struct SpindleState {
   double rpm = 0.0;
   bool stalled = false;  // stands under load; goes on once the load is below half of what stalls it
-  friend bool operator==(const SpindleState&, const SpindleState&) = default;
 };
 
 /// One tick. pedal: 0 to 1. push_n: what presses the bur on, 0 in the air. Values that are no numbers, or out of their

@@ -17,7 +17,6 @@ inline constexpr double kWholePushN = 1.0;            // the usual load (dental.
 
 struct VibrationState {
   std::uint32_t phase = 0;  // of the felt wave; 2^32 is the whole
-  friend bool operator==(const VibrationState&, const VibrationState&) = default;
 };
 
 /// Every how many turns one beat is felt: the least whole number that keeps free_rpm at kFeltHz or below. 1 at least.

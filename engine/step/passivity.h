@@ -33,7 +33,6 @@ struct PassivityState {
   Vec3 spring_mm{0.0};              // proxy - device, low-passed
   double stiffness_n_per_mm = 0.0;  // last one touched
   std::array<Vec3, kMostDelayTicks + 1> held_n{};  // newest first: forces that the device may hold by now
-  friend bool operator==(const PassivityState&, const PassivityState&) = default;
 };
 
 /// The guard's input of a tick.
