@@ -49,13 +49,6 @@ class Sweeps {
 
   /// A ball has cut from `from` to `to`. Lengthens the newest sweep, or begins another. Returns its id, or kNone if full.
   std::int32_t add(Vec3 from, Vec3 to, double radius_mm) noexcept;
-  /// The same of a piece that is whole: it goes on from the newest sweep if it begins there, and is not lengthened.
-  std::int32_t add_apart(Vec3 from, Vec3 to, double radius_mm) noexcept {
-    open_ = sealed_ = true;
-    const std::int32_t id = add(from, to, radius_mm);
-    sealed_ = true;
-    return id;
-  }
   /// The next add() begins another way.
   void break_path() noexcept { open_ = false; }
   /// The newest sweep is not lengthened any more. The way goes on.

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/volume/cell_field.h"
-#include "engine/volume/fragments.h"
 
 namespace cusp::engine {
 
@@ -89,21 +88,6 @@ void ToolOverlap::hit_further(const Grid& grid, std::size_t bur, Vec3 device, Vo
   }
   if (hit_count_ > 0) contact.mean_offset_mm = sum / static_cast<double>(hit_count_);
   contact.shank = !pivot_only_ && any(tool.holder, pivot);
-}
-
-bool ToolOverlap::remove_along(Volume& volume, std::size_t bur, Vec3 from, Vec3 to) noexcept {
-  const Grid& grid = volume.grid();
-  const Vec3 way = to - from;
-  const int samples = static_cast<int>(std::ceil(std::sqrt(glm::dot(way, way)) / (0.25 * grid.voxel_mm))) + 1;
-  bool room = true;
-  for (int i = 0; i <= samples; ++i) {
-    const IVec3 pivot = voxel_at(grid, from + way * (static_cast<double>(i) / samples));
-    for (const IVec3& o : tools_[bur].voxels.cutting) {
-      const IVec3 v = pivot + o;
-      if (occupancy_.occupied(v)) room = remove_voxels(volume, occupancy_, {&v, 1}) && room;
-    }
-  }
-  return room;
 }
 
 }  // namespace cusp::engine

@@ -58,9 +58,6 @@ class ToolOverlap {
   std::span<const IVec3> hit_voxels() const noexcept { return {hit_.data(), hit_count_}; }
   void forget_hits() noexcept { hit_count_ = 0; }
 
-  /// Every voxel that the tool's cutting part covers with its pivot on the way loses all its density. False: no room.
-  bool remove_along(Volume& volume, std::size_t bur, Vec3 from, Vec3 to) noexcept;
-
   Occupancy& occupancy() noexcept { return occupancy_; }
   const Occupancy& occupancy() const noexcept { return occupancy_; }
 

@@ -68,8 +68,6 @@ class ContactMethod {
   enum class Look : std::uint8_t { free_space, whole };
   /// True if a proxy with this bur may start at this pose. A surface within a voxel of the bur may make it false.
   virtual bool fits(StepState::Inner& state, std::uint16_t bur, Vec3 axis, Vec3 pose_mm, Look look) noexcept = 0;
-  /// See cut_along() of step.h.
-  virtual bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept = 0;
   /// Removes a severed fragment's voxels (engine/volume/fragments.h). False if the volume had no room.
   virtual bool remove_voxels(StepState::Inner& state, std::span<const IVec3> voxels) noexcept = 0;
   /// The volume was replaced by a key state's: caches are made again. Not on the haptic thread.

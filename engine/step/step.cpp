@@ -170,10 +170,6 @@ void step_faulted(StepState::Inner& state, double dt_ms, StepOutput& out) noexce
 
 }  // namespace
 
-bool cut_along(StepState& outer, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept {
-  return outer.inner().method->cut_along(outer.inner(), bur, from_mm, to_mm);
-}
-
 StepOutput step(StepState& outer, const StepInput& input) noexcept {
   StepState::Inner& state = outer.inner();
   const Scene& scene = *state.scene;

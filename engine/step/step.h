@@ -86,10 +86,6 @@ class StepState {
   std::unique_ptr<Inner> inner_;
 };
 
-/// A cut along a known path, for benches and tests that know its exact surface. Banded readings carve the swept head; filled
-/// ones lose the voxels that the voxelised bur covers. The proxy stays where it is. False if the volume had no room.
-bool cut_along(StepState& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept;
-
 /// Haptic thread. One tick.
 StepOutput step(StepState& state, const StepInput& input) noexcept;
 

@@ -46,10 +46,6 @@ class BandedMethod final : public ContactMethod {
   bool fits(StepState::Inner& state, std::uint16_t bur, Vec3, Vec3 pose_mm, Look) noexcept override {
     return finder_.fits(state.volume, bur, pose_mm);
   }
-  bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept override {
-    state.cut_valid = false;
-    return !carve_sweep(state.volume, from_mm, to_mm, state.scene->burs[bur], state.scene->tool_axis).overflow;
-  }
   bool remove_voxels(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
     return !engine::remove_voxels(state.volume, voxels).overflow;
   }

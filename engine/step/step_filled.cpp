@@ -83,9 +83,6 @@ class FilledMethod final : public ContactMethod {
   bool fits(StepState::Inner& state, std::uint16_t bur, Vec3, Vec3 pose_mm, Look) noexcept override {
     return finder_.overlap().free(bur, ToolOverlap::voxel_at(state.volume.grid(), pose_mm));
   }
-  bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept override {
-    return finder_.overlap().remove_along(state.volume, bur, from_mm, to_mm);
-  }
   bool remove_voxels(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
     return engine::remove_voxels(state.volume, finder_.overlap().occupancy(), voxels);
   }

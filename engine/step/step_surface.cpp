@@ -334,24 +334,6 @@ class SurfaceMethod final : public ContactMethod {
     if (look == Look::free_space) return state.surface->in_free_space(state.volume, head, axis, pose_mm);
     return state.surface->fits(state.volume, head, axis, pose_mm);
   }
-  bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept override {
-    const Bur& head = state.scene->burs[bur];
-    const Vec3 axis = state.scene->tool_axis;
-    const bool room = end_stroke(state);
-    make_room_between_strokes(state);
-    Carved carved;
-    if (head.head.ball()) {
-      const std::int32_t id = state.sweeps.add_apart(from_mm, to_mm, head.radius_mm);
-      state.surface->set_cutting({.end = state.sweeps.size()});
-      carved = id >= 0 ? carve_run(state.volume, state.sweeps, {id, id}) : carve_sweep(state.volume, from_mm, to_mm, head.radius_mm);
-    } else {
-      carved = carve_sweep(state.volume, from_mm, to_mm, head, axis);
-      state.memory.add(from_mm, to_mm, {bur, axis});
-      state.memory.break_path();
-    }
-    for_changed(carved, [&](const ChangedVoxels& changed) { state.surface->changed(state.volume, changed); });
-    return room && !carved.overflow;
-  }
   bool remove_voxels(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
     const ChangedBox changed = engine::remove_voxels(state.volume, voxels);
     if (changed.any) state.surface->changed_unresolved(state.volume, changed.low, changed.high);

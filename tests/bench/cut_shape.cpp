@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/contact/surface_contact.h"
+#include "tests/engine/step/cut_along.h"
 #include "tests/modules.h"
 
 namespace cusp::bench {
@@ -19,8 +20,8 @@ bool cut_in_steps(StepState& state, std::uint16_t cutter, const Capsule& c) {
   const int pieces = static_cast<int>(length(c.b - c.a) / kCutStepMm) + 1;
   bool room = true;
   for (int k = 0; k < pieces; ++k)
-    room = cut_along(state, cutter, c.a + (c.b - c.a) * (static_cast<double>(k) / pieces),
-                     c.a + (c.b - c.a) * (static_cast<double>(k + 1) / pieces)) &&
+    room = test::cut_along(state, cutter, c.a + (c.b - c.a) * (static_cast<double>(k) / pieces),
+                           c.a + (c.b - c.a) * (static_cast<double>(k + 1) / pieces)) &&
            room;
   return room;
 }

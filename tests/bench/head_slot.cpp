@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/engine/step/cut_along.h"
+
 namespace cusp::bench {
 
 namespace {
@@ -38,8 +40,8 @@ bool mill(StepState& state, const HeadSlot& slot) {
   const auto along = [&](Vec3 from, Vec3 to) {
     const int parts = static_cast<int>(std::ceil(length(to - from) / kMillStepMm));
     for (int k = 0; k < parts; ++k)
-      room = cut_along(state, 0, from + (to - from) * (static_cast<double>(k) / parts),
-                       from + (to - from) * (static_cast<double>(k + 1) / parts)) &&
+      room = test::cut_along(state, 0, from + (to - from) * (static_cast<double>(k) / parts),
+                             from + (to - from) * (static_cast<double>(k + 1) / parts)) &&
              room;
   };
   along(slot.above(), slot.at(slot.from_mm));

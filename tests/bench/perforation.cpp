@@ -1,6 +1,7 @@
 #include "tests/bench/frame.h"
 #include "tests/bench/motions.h"
 #include "tests/bench/rate.h"
+#include "tests/engine/step/cut_along.h"
 
 namespace cusp::bench {
 
@@ -29,7 +30,7 @@ Perforation::Perforation(Method method, const Shape& face, double voxel_mm, std:
   inwards_ = -spot.normal;
   start_ = spot.centre + inwards_ * (2.0 * r + kCoverMm);
   // cut_along opens the approach at once; the bur enters, begins to cut and settles.
-  cut_along(state_, 0, spot.centre - inwards_ * (2.0 * r), start_);
+  test::cut_along(state_, 0, spot.centre - inwards_ * (2.0 * r), start_);
   lead(state_, step, face.home(), kLeadStepMm);
   lead(state_, step, spot.centre - inwards_ * (2.0 * r), kLeadStepMm);
   lead(state_, step, start_ + inwards_ * kDrillLeadMm, kLeadStepMm);

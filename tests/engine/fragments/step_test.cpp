@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/volume/fragments.h"
+#include "tests/engine/step/cut_along.h"
 #include "tests/engine/step/scenes.h"
 #include "tests/modules.h"
 

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "tests/engine/step/cut_along.h"
 #include "tests/engine/step/scenes.h"
 
 namespace cusp::test {

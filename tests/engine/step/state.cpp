@@ -138,7 +138,8 @@ StepInput spiral(int k) {
 void fill(Sweeps& sweeps, int left) {
   for (int ways = 0; sweeps.size() + left < static_cast<int>(Sweeps::kMost); ++ways) {
     const Vec3 low(1.7, 1.7, -1.7), high = low + Vec3(1e-4, 0.0, 0.0);
-    sweeps.add_apart(ways % 2 == 0 ? low : high, ways % 2 == 0 ? high : low, 1e-4);
+    sweeps.seal();
+    sweeps.add(ways % 2 == 0 ? low : high, ways % 2 == 0 ? high : low, 1e-4);
   }
   sweeps.break_path();
 }

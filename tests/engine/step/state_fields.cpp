@@ -9,6 +9,7 @@
 
 #include "engine/tool/heads.h"
 #include "engine/volume/fragments.h"
+#include "tests/engine/step/cut_along.h"
 #include "tests/engine/step/scenes.h"
 #include "tests/modules.h"
 
