@@ -140,19 +140,17 @@ void SurfaceContact::note(const Volume& volume, const PlaneSearch& found, const 
 
 Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uint16_t bur_index, Vec3 axis,
                               Vec3 from, Vec3 device, Vec3 predicted, double reach_mm, double most_mm) noexcept {
-  const Contact out = follow(volume, scene, bur_index, axis, from, device, predicted, reach_mm, most_mm);
+  const Contact out = follow(volume, tool_of(scene.burs[bur_index], axis, bur_index), from, device, predicted, reach_mm, most_mm);
   // Known free space answers some ticks without a look at the cavity: what was found must not depend on that.
   if (out.active == 0) walls_.release();
   return out;
 }
 
-Contact SurfaceContact::follow(const Volume& volume, const Scene& scene, std::uint16_t bur_index, Vec3 axis,
-                               Vec3 from, Vec3 device, Vec3 predicted, double reach_mm, double most_mm) noexcept {
-  const Bur& bur = scene.burs[bur_index];
+Contact SurfaceContact::follow(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, Vec3 predicted, double reach_mm,
+                               double most_mm) noexcept {
   Contact out;
   out.pose_mm = device;
-  const Tool tool = tool_of(bur, axis, bur_index);
-  if (free_.valid && free_.bur == bur_index && free_.axis == axis && free_.contains(from)) {
+  if (free_.valid && free_.bur == tool.index && free_.axis == tool.axis && free_.contains(from)) {
     // Where it leaves the known free space there may be more.
     if (!free_.contains(device)) find_free(volume, tool, from);
     if (free_.valid && free_.contains(device)) {

@@ -273,8 +273,7 @@ class SurfaceContact {
   static constexpr double kLongestLeap = 10.0, kFarthestLeapMm = 0.3;  // of the last pass's move, and mm
   Vec3 leap_of_ball(const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept;
   void turn(const Tool& tool, Vec3 y, std::size_t plane) noexcept;
-  Contact follow(const Volume& volume, const Scene& scene, std::uint16_t bur, Vec3 axis, Vec3 from, Vec3 device, Vec3 predicted,
-                 double reach_mm, double most_mm) noexcept;
+  Contact follow(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, Vec3 predicted, double reach_mm, double most_mm) noexcept;
   struct Metric;
   glm::dmat3 bend_of(const Origin& origin, Vec3 at) const noexcept;
   glm::dmat3 bend_of(const PlaneSearch& found, Vec3 at) const noexcept;
