@@ -211,25 +211,25 @@ class Piece {
     return d;
   }
 
-  enum class Wrote : std::uint8_t { nothing, some, no_room };
-  /// Lowers the row at offset o of the brick to the distance d. `four`: what stands there; `less`: the lanes it lowers.
-  Wrote lower_row(int o, std::uint64_t four, Lanes d, unsigned meant, unsigned& less) noexcept {
+  /// Lowers the row at offset o of the brick to the distance d. `four`: what stands there; `less`: the lanes it lowers. False if the
+  /// volume has no room.
+  bool lower_row(int o, std::uint64_t four, Lanes d, unsigned meant, unsigned& less) noexcept {
     const Lanes s = 0.5f + d * static_cast<float>(1.0 / (2.0 * kBandVoxels));
     const Lanes clamped = most_of(least_of(s, all_lanes(1.0f)), Lanes{});
     const LaneMask solid = __builtin_convertvector(clamped * 65535.0f + 0.5f, LaneMask);
     const LaneMask was = from_memory(four);
     less = bits_of(solid < was) & meant;
-    if (less == 0) return Wrote::nothing;
+    if (less == 0) return true;
     if (brick_->values == nullptr) {
       brick_->known = brick_->values = volume_.cut_for_writing(brick_->index);
-      if (brick_->values == nullptr) return Wrote::no_room;
+      if (brick_->values == nullptr) return false;
     }
     for (int i = 0; i < kLanes; ++i) {
       if ((less >> i & 1u) == 0) continue;
       brick_->values[o + i] = static_cast<std::uint16_t>(solid[i]);
       if (volume_.keeps_sweeps()) volume_.forget_sweep(brick_->index, o + i);
     }
-    return Wrote::some;
+    return true;
   }
 
   /// 4 x 4 x 4 voxels of the brick from `low` on; `nearest`: the least that their middle can be off the head.
@@ -246,9 +246,7 @@ class Piece {
         if (brick_->known != nullptr) __builtin_memcpy(&four, brick_->known + o, sizeof four);
         if (four == 0 || e.foot_d + e.slope.y * y + e.slope.z * z >= kBandVoxels) continue;
         unsigned less = 0;
-        const Wrote wrote = lower_row(o, four, row_distance(e, seen, y, z), e.meant, less);
-        if (wrote == Wrote::no_room) return false;
-        if (wrote == Wrote::nothing) continue;
+        if (!lower_row(o, four, row_distance(e, seen, y, z), e.meant, less)) return false;
         brick_->changed.add_row(low.y + y, low.z + z, less << low.x);
       }
     return true;
