@@ -1,4 +1,4 @@
-// One tick of the surface method: contact, the cut pose, contact again with the cut in the memory.
+// One tick of the surface method: contact, the cut pose, contact again with the cut stored and not yet carved.
 #include <algorithm>
 
 #include "engine/contact/sweeps.h"
