@@ -6,7 +6,7 @@
 namespace cusp::engine {
 
 struct BandedContact {
-  Vec3 pose_mm{0.0};  // where the bur is said to stand: device point + F / K
+  Vec3 pose_mm{0.0};  // of the bur: device point + F / K
   bool touching = false;
   double stiffness_n_per_mm = 0.0;  // of what is touched
   Tissue tissue = Tissue::empty;    // touched most

@@ -177,8 +177,8 @@ PlaneSearch search(Vec3 q, const Planes& planes, double tolerance_mm, std::span<
       double t_drop = 0.0;
       const int drop = first_to_leave(out, s, t_drop);
       if (dependent && drop < 0) {
-        // Where normals nearly coincide, steps of many times the way to q leave y off its planes by more than the tolerance:
-        // before they are said to contradict each other, y is put on them anew.
+        // If the active set is infeasible, y is projected onto its planes and the search tries once more. Near-parallel planes need
+        // this: steps of many times the way to q leave y off them by more than the tolerance.
         if (anew) {
           out.feasible = false;
           return out;

@@ -27,7 +27,7 @@ struct PlaneSearch {
 /// tolerance_mm: a plane counts as violated below -tolerance.
 PlaneSearch closest_point(Vec3 q, std::span<const Plane> planes, double tolerance_mm) noexcept;
 
-/// Many planes, laid out for two and four at a time. Room is taken at construction.
+/// Many planes, in arrays for two at a time. Room is taken at construction.
 class PlaneSet {
  public:
   explicit PlaneSet(std::size_t room) : nx_(room + 3), ny_(room + 3), nz_(room + 3), c_(room + 3) {}

@@ -44,7 +44,7 @@ struct SurfaceContact::PlaneSolve {
   bool left = false;        // the step ends before the search does
   bool rolling = false;
   double next_step = 0.0;
-  /// A head's last pass: its active planes' candidates, where it led, and how far that was from where they were laid.
+  /// A head's last pass: its active planes' candidates, where it led, and how far that was from where they were built.
   struct Creep {
     int planes = 0;
     std::int32_t candidate[2] = {0, 0};

@@ -71,7 +71,7 @@ void SurfaceContact::make(const Volume& volume, const Tool& tool, std::size_t i)
 }
 
 /// Candidates from a brick, not made yet. near(x, y, z, count, local, has_edges, pass): which places to take, in cells(local);
-/// local: the centre in voxels from the brick's corner; resolved: edges may be among them.
+/// local: the centre in voxels from the brick's corner; has_edges: edges may be among them.
 template <class Cells, class Choose>
 void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 centre, int brick, IVec3 at, ToolPart part,
                                  Cells&& cells, Choose&& near) noexcept {

@@ -247,7 +247,7 @@ void SurfaceContact::turn(const Tool& tool, Vec3 y, std::size_t i) noexcept {
 }
 
 /// Where a ball rolls over edges and points its planes turn with it, and each pass leaves a share of the way: what the
-/// passes to come would add to off_by, the move of the last one from where its planes were laid. rolls: they would not come
+/// passes to come would add to off_by, the move of the last one from where its planes were built. rolls: they would not come
 /// to rest.
 Vec3 SurfaceContact::leap_of_ball(const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept {
   if (found.active == 0 || found.active > 2) return Vec3(0.0);
