@@ -97,6 +97,7 @@ bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner,
   const IVec3 to = glm::min(all.high - corner, IVec3(7));
   // What a bend lowers the chord's solid fractions by at most, in 1/65535, with the rounding of two.
   const auto lower = static_cast<int>(all.bend * (65535.0 / (2.0 * kBandVoxels))) + 3;
+  const unsigned meant = (0xffu << from.x) & (0xffu >> (7 - to.x));  // of a row, voxels within low..high
   const double reach = all.chord.row_reach() + all.bend;
   const BallSweep::Way chord = all.chord.way_from(corner);
   BallSweep::Way way[kMostAtOnce];
@@ -124,9 +125,7 @@ bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner,
           by = nearer ? (LaneMask{} + all.sweep[k].id) : by;
         }
         const LaneMask now = all.sweep[0].solid(nearest);
-        unsigned less = bits_of(now < before);
-        for (int i = 0; i < kLanes; ++i)
-          if (x + i < from.x || x + i > to.x) less &= ~(1u << i);
+        const unsigned less = bits_of(now < before) & meant >> x;
         if (less == 0) continue;
         if (values == nullptr) {
           values = volume.cut_for_writing(brick);
