@@ -51,6 +51,7 @@ constexpr QSize kLeast{960, 540}, kUsual{1280, 800};   // px
 constexpr int kAccountLookMs = 2'000;                   // one row is read
 constexpr int kFrame = 48;                              // px; what a window manager takes of the height at most
 constexpr const char* kCoverExercise = "class-1-36";    // whose tooth the sign-in shows
+constexpr int kCoverAfterMs = 3'000;                    // it is drawn; whoever signs in at once has use for the processor
 
 std::filesystem::path cache_folder() {
   return (QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + u"/Cusp"_qs).toStdString();
@@ -143,17 +144,19 @@ void Desktop::show_sign_in(SignIn* page) {
 }
 
 void Desktop::show_cover() {
-  if (!sign_in_) return;
   const auto scenario = load_builtin(kCoverExercise);
-  if (!scenario) return;
-  const QImage cover = pictures_->picture({*scenario, {}, 1, {}}, {}, ThumbnailCache::Use::cover);
-  if (!cover.isNull()) sign_in_->set_picture(cover);
+  if (!sign_in_ || !scenario) return;
+  const Exercise exercise{*scenario, {}, 1, {}};
+  const QImage kept = pictures_->kept(exercise, ThumbnailCache::Use::cover);
+  if (!kept.isNull()) return sign_in_->set_picture(kept);
+  QTimer::singleShot(kCoverAfterMs, sign_in_, [this, exercise] { pictures_->picture(exercise, {}, ThumbnailCache::Use::cover); });
 }
 
 void Desktop::sign_in(const Account& account) {
   account_ = account;
   begin_idle();
   account_timer_.start(kAccountLookMs);
+  pictures_->stop();
   show_shell(entries().first().key);
   open_waiting_file();
   take_from_behind_lock();

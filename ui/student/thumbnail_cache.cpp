@@ -75,6 +75,11 @@ QImage draw(const Scenario& scenario, const std::filesystem::path& folder, Thumb
   return twice.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).convertToFormat(QImage::Format_RGB32);
 }
 
+QString name_of(const Exercise& exercise, ThumbnailCache::Use use) {
+  return QString::fromStdString(content_hash(exercise.scenario).hex()).left(32) + QLatin1String(kLook) +
+         (use == ThumbnailCache::Use::card ? u"-card"_qs : u"-cover"_qs) + (tokens().dark ? u"-dark.png"_qs : u"-light.png"_qs);
+}
+
 QByteArray png_of(const QImage& image) {
   QByteArray png;
   QBuffer buffer(&png);
@@ -96,6 +101,8 @@ ThumbnailCache::~ThumbnailCache() {
   pool_.waitForDone();
 }
 
+QString ThumbnailCache::file_of(const QString& name) const { return QString::fromStdString((cache_ / name.toStdString()).string()); }
+
 void ThumbnailCache::stop() {
   *stopped_ = true;
   stopped_ = std::make_shared<std::atomic<bool>>(false);
@@ -103,16 +110,18 @@ void ThumbnailCache::stop() {
   asked_.clear();
 }
 
+QImage ThumbnailCache::kept(const Exercise& exercise, Use use) const {
+  const QString name = name_of(exercise, use);
+  const QImage drawn(file_of(name));
+  return drawn.isNull() ? without_file_.value(name) : drawn;
+}
+
 QImage ThumbnailCache::picture(const Exercise& exercise, const std::filesystem::path& folder, Use use) {
-  const bool dark = tokens().dark;
-  const QString name = QString::fromStdString(content_hash(exercise.scenario).hex()).left(32) + QLatin1String(kLook) +
-                       (use == Use::card ? u"-card"_qs : u"-cover"_qs) + (dark ? u"-dark.png"_qs : u"-light.png"_qs);
-  const QString file = QString::fromStdString((cache_ / name.toStdString()).string());
-  QImage kept(file);
-  if (kept.isNull()) kept = without_file_.value(name);
-  if (!kept.isNull() || asked_.contains(name) || !opengl_allowed()) return kept;
+  const QString name = name_of(exercise, use), file = file_of(name);
+  QImage known = kept(exercise, use);
+  if (!known.isNull() || asked_.contains(name) || !opengl_allowed()) return known;
   asked_.insert(name);
-  pool_.start([this, scenario = exercise.scenario, folder, use, dark, name, file, stopped = stopped_]() mutable {
+  pool_.start([this, scenario = exercise.scenario, folder, use, dark = tokens().dark, name, file, stopped = stopped_]() mutable {
     if (use == Use::card) scenario.specimen.voxel_mm = std::max(scenario.specimen.voxel_mm, kCardVoxelMm);
     const QImage drawn = draw(scenario, folder, use, dark ? Tokens::dark_theme() : Tokens::light(), *stopped);
     if (drawn.isNull()) return;

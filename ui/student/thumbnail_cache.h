@@ -25,7 +25,9 @@ class ThumbnailCache : public QObject {
   /// Gives up the picture that is being drawn, and does not wait for it to grow.
   ~ThumbnailCache() override;
 
-  /// The picture in the present theme, or a null image: then it is being drawn, and ready() comes. Where there is no OpenGL it never comes.
+  /// The picture in the present theme, or a null image where none was drawn yet.
+  QImage kept(const Exercise& exercise, Use use) const;
+  /// The same; a null image is being drawn, and ready() comes. Where there is no OpenGL it never comes.
   QImage picture(const Exercise& exercise, const std::filesystem::path& folder, Use use);
   /// Gives up all that waits or is being drawn: an attempt needs the processor. The next picture() begins again.
   void stop();
@@ -34,6 +36,8 @@ class ThumbnailCache : public QObject {
   void ready();
 
  private:
+  QString file_of(const QString& name) const;
+
   std::filesystem::path cache_;
   std::shared_ptr<std::atomic<bool>> stopped_ = std::make_shared<std::atomic<bool>>(false);  // of the pictures asked since
   QThreadPool pool_;
