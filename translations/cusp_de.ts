@@ -8,8 +8,8 @@
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Against your best before</source>
-        <translation>Gegen Ihren besten Versuch davor</translation>
+        <source>Against the best before</source>
+        <translation>Gegen den besten Versuch davor</translation>
     </message>
 </context>
 <context>
@@ -811,6 +811,10 @@
         <source>By hand</source>
         <translation>Von Hand</translation>
     </message>
+    <message>
+        <source>A clock was wrong, so that the dates are not in order: the newest backup stands first.</source>
+        <translation>Eine Uhr ging falsch, daher stehen die Daten nicht in ihrer Reihenfolge: Die neueste Sicherung steht zuerst.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Band</name>
@@ -1003,6 +1007,26 @@
     <message>
         <source>It is cut before your eyes in half a minute</source>
         <translation>Sie entsteht in einer halben Minute vor Ihren Augen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>A part of the specimen</source>
+        <translation>Ein Teil des Präparats</translation>
+    </message>
+    <message>
+        <source>%1: not to be laid bare</source>
+        <translation>%1: darf nicht freigelegt werden</translation>
+    </message>
+    <message>
+        <source>%1: cut at most %2 deep</source>
+        <translation>%1: darf höchstens %2 tief angeschnitten werden</translation>
+    </message>
+    <message>
+        <source>Protected</source>
+        <translation>Geschützt</translation>
     </message>
 </context>
 <context>
@@ -3416,6 +3440,25 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::ClosingWindow</name>
+    <message>
+        <source>Cusp is closing</source>
+        <translation>Cusp wird geschlossen</translation>
+    </message>
+    <message>
+        <source>Close without waiting</source>
+        <translation>Ohne Warten schließen</translation>
+    </message>
+    <message>
+        <source>A file or a change of the records is still being written. If you do not wait, a file that is not finished is missing, and a change that is not made yet is not made. All other records are kept.</source>
+        <translation>Eine Datei oder eine Änderung der Aufzeichnungen wird noch geschrieben. Wenn Sie nicht warten, fehlt eine Datei, die nicht fertig ist, und eine Änderung, die noch nicht gemacht ist, wird nicht gemacht. Alle anderen Aufzeichnungen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>Work in the background has not ended: something is computed, or a drive or a device does not answer. Nothing is lost if you do not wait.</source>
+        <translation>Arbeit im Hintergrund ist noch nicht zu Ende: Etwas wird berechnet, oder ein Laufwerk oder ein Gerät antwortet nicht. Wenn Sie nicht warten, geht nichts verloren.</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::CohortStudentsModel</name>
     <message>
         <source>Name</source>
@@ -3839,10 +3882,6 @@
         <translation>Kriterium</translation>
     </message>
     <message>
-        <source>Yours</source>
-        <translation>Ihr Wert</translation>
-    </message>
-    <message>
         <source>Full points</source>
         <translation>Volle Punktzahl</translation>
     </message>
@@ -3886,6 +3925,10 @@
         <source>%1 of %2</source>
         <extracomment>Points of a criterion, and the most it can bring.</extracomment>
         <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
     </message>
 </context>
 <context>
@@ -4596,6 +4639,10 @@
         <source>An attempt is running</source>
         <translation>Ein Versuch läuft</translation>
     </message>
+    <message>
+        <source>Cusp closes once the tooth is measured</source>
+        <translation>Cusp schließt nach der Vermessung</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DrillStage</name>
@@ -5204,6 +5251,14 @@
         <source>Publish without the briefing?</source>
         <translation>Ohne die Aufgabe veröffentlichen?</translation>
     </message>
+    <message>
+        <source>%1 of %2 things to look at</source>
+        <translation>Hinweis %1 von %2</translation>
+    </message>
+    <message>
+        <source>Next check</source>
+        <translation>Nächster Hinweis</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ExchangePage</name>
@@ -5543,10 +5598,6 @@
         </translation>
     </message>
     <message>
-        <source>The others are below. Publish them again from the editor.</source>
-        <translation>Die anderen stehen unten. Veröffentlichen Sie die nicht lesbaren im Editor erneut.</translation>
-    </message>
-    <message>
         <source>No exercise fits</source>
         <translation>Keine Übung passt</translation>
     </message>
@@ -5581,6 +5632,14 @@
     <message>
         <source>%1 of %2 passed</source>
         <translation>%1 von %2 bestanden</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>An instructor publishes them again from the editor. All others are below.</source>
+        <translation>Eine Lehrkraft veröffentlicht sie im Editor erneut. Alle anderen stehen unten.</translation>
     </message>
 </context>
 <context>
@@ -7613,6 +7672,10 @@
         <source>Nothing was withdrawn. Withdraw it again to see what follows now.</source>
         <translation>Nichts wurde zurückgezogen. Ziehen Sie sie erneut zurück, um zu sehen, was jetzt folgt.</translation>
     </message>
+    <message>
+        <source>The file is %1 and holds what was published. The checks refuse that now, and so does a station that opens the file: %2 Mend it in the editor and publish it again.</source>
+        <translation>Die Datei heißt %1 und enthält, was veröffentlicht wurde. Die Prüfungen lehnen das jetzt ab, und eine Station, die die Datei öffnet, ebenso: %2 Beheben Sie es im Editor und veröffentlichen Sie die Übung erneut.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::LogModel</name>
@@ -8715,6 +8778,17 @@
         <source>Switched off, so that nobody signs in with them: %1. Switch them on under People.</source>
         <translation>Ausgeschaltet, sodass sich niemand damit anmeldet: %1. Schalten Sie sie unter „Personen“ ein.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n new name(s) have an account under another number: perhaps the same person.</source>
+        <translation>
+            <numerusform>%n neuer Name hat schon ein Konto unter einer anderen Nummer: vielleicht dieselbe Person.</numerusform>
+            <numerusform>%n neue Namen haben schon Konten unter anderen Nummern: vielleicht dieselben Personen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No account was made.</source>
+        <translation>Es wurde kein Konto angelegt.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::PeopleModel</name>
@@ -8936,6 +9010,10 @@
     <message>
         <source>Perhaps the same person as %1. That account was made by: %2.</source>
         <translation>Vielleicht dieselbe Person wie %1. Jenes Konto wurde angelegt von: %2.</translation>
+    </message>
+    <message>
+        <source>Perhaps the same person as %1: the names agree, and no cohort holds both.</source>
+        <translation>Vielleicht dieselbe Person wie %1: Die Namen stimmen überein, und keine Kohorte enthält beide.</translation>
     </message>
 </context>
 <context>
@@ -9951,6 +10029,10 @@
         <source>parts of the records could not be read</source>
         <translation>Teile der Daten konnten nicht gelesen werden</translation>
     </message>
+    <message>
+        <source>version %1 of the exercise</source>
+        <translation>Version %1 der Übung</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReportPage</name>
@@ -10009,10 +10091,6 @@
     <message>
         <source>Next time</source>
         <translation>Beim nächsten Mal</translation>
-    </message>
-    <message>
-        <source>Against your best before</source>
-        <translation>Gegen Ihren besten Versuch davor</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -10162,6 +10240,10 @@
         <source>Leave without the changed points?</source>
         <translation>Die Seite ohne die geänderten Punkte verlassen?</translation>
     </message>
+    <message>
+        <source>Against the best before</source>
+        <translation>Gegen den besten Versuch davor</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReportSection</name>
@@ -10289,6 +10371,14 @@
     <message>
         <source>Your task</source>
         <translation>Die Aufgabe</translation>
+    </message>
+    <message>
+        <source>The foot pedal is not plugged in any more. Until it is, the button alone cuts.</source>
+        <translation>Das Fußpedal ist nicht mehr angeschlossen. Bis es wieder angeschlossen ist, trägt der Bohrer nur auf Tastendruck ab.</translation>
+    </message>
+    <message>
+        <source>The foot pedal is plugged in again.</source>
+        <translation>Das Fußpedal ist wieder angeschlossen.</translation>
     </message>
 </context>
 <context>
@@ -11655,6 +11745,10 @@ Ihr bester davor</translation>
         <source>has an account, switched off</source>
         <translation>hat ein Konto, ausgeschaltet</translation>
     </message>
+    <message>
+        <source>name has number %1</source>
+        <translation>Name hat Nummer %1</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::TargetNameForm</name>
@@ -12169,10 +12263,6 @@ Ihr bester davor</translation>
     <message>
         <source>Another program holds the database.</source>
         <translation>Ein anderes Programm hält die Datenbank.</translation>
-    </message>
-    <message>
-        <source>%1 stayed as it was. Close the other program and try again.</source>
-        <translation>%1 blieb, wie sie war. Schließen Sie das andere Programm und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>The database is damaged.</source>
@@ -14470,6 +14560,72 @@ Ihr bester davor</translation>
     <message>
         <source>In %1 the tissue %2 has the code of a grown tooth’s: 29 and 30 are a neighbour’s, 31 is firm caries. Give it one from 16 to 28.</source>
         <translation>In %1 hat das Gewebe %2 die Nummer eines Gewebes erzeugter Zähne: 29 und 30 gehören einem Nachbarzahn, 31 ist feste Karies. Geben Sie ihm eine von 16 bis 28.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) that were here have gone on.</source>
+        <translation>
+            <numerusform>%n Versuch, der schon hier war, ist weitergegangen.</numerusform>
+            <numerusform>%n Versuche, die schon hier waren, sind weitergegangen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n account(s) made here gave the number to the office’s account of the same name; People shows both.</source>
+        <translation>
+            <numerusform>%n hier angelegtes Konto hat die Nummer dem Konto der Zentrale mit demselben Namen überlassen; Personen zeigt beide.</numerusform>
+            <numerusform>%n hier angelegte Konten haben die Nummer den Konten der Zentrale mit denselben Namen überlassen; Personen zeigt beide.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no such folder.</source>
+        <translation>Diesen Ordner gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>%1 was not written. Choose another place.</source>
+        <translation>%1 wurde nicht geschrieben. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>This file cannot be opened.</source>
+        <translation>Diese Datei kann nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>%1, its folder or its drive does not admit it. Nothing was changed.</source>
+        <translation>%1, der Ordner oder das Laufwerk lässt es nicht zu. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The file is too large.</source>
+        <translation>Die Datei ist zu groß.</translation>
+    </message>
+    <message>
+        <source>Nothing of the last step was written to %1; all before it is kept. A drive formatted as FAT32 takes no file above 4 GB.</source>
+        <translation>Vom letzten Schritt wurde nichts in %1 geschrieben; alles davor ist aufbewahrt. Ein mit FAT32 formatiertes Laufwerk nimmt keine Datei über 4 GB auf.</translation>
+    </message>
+    <message>
+        <source>%1 stayed as it was. Another window of Cusp holds it while it reads in a file of another station: wait until that is done, or close the other program, and try again.</source>
+        <translation>%1 blieb, wie es war. Ein anderes Fenster von Cusp hält es, während es eine Datei einer anderen Station einliest: Warten Sie, bis das fertig ist, oder schließen Sie das andere Programm, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>This file is cut short.</source>
+        <translation>Diese Datei ist abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>%1 of the %2 bytes of %3 are there. Copy it here once more; a drive formatted as FAT32 takes no file above 4 GB. Nothing was changed.</source>
+        <translation>Von %3 sind %1 der %2 Bytes da. Kopieren Sie sie noch einmal hierher; ein mit FAT32 formatiertes Laufwerk nimmt keine Datei über 4 GB auf. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The folder for backups cannot be written.</source>
+        <translation>In den Ordner für Sicherungen kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>%1: %2. Connect its drive, or choose another folder. The records are as they were.</source>
+        <translation>%1: %2. Schließen Sie das Laufwerk an, oder wählen Sie einen anderen Ordner. Die Aufzeichnungen sind, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>The drive for backups is full.</source>
+        <translation>Das Laufwerk für Sicherungen ist voll.</translation>
+    </message>
+    <message>
+        <source>%1 has no room for a copy of the records. Free some space there, or choose another folder.</source>
+        <translation>%1 hat keinen Platz für eine Kopie der Aufzeichnungen. Schaffen Sie dort Platz, oder wählen Sie einen anderen Ordner.</translation>
     </message>
 </context>
 <context>

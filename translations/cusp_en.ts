@@ -433,6 +433,13 @@
             <numerusform>%n accounts made.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n new name(s) have an account under another number: perhaps the same person.</source>
+        <translation>
+            <numerusform>%n new name has an account under another number: perhaps the same person.</numerusform>
+            <numerusform>%n new names have an account under another number: perhaps the same people.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::PeoplePage</name>
@@ -747,6 +754,20 @@
         <translation>
             <numerusform>%n student has no graded attempt: %1.</numerusform>
             <numerusform>%n students have no graded attempt: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) that were here have gone on.</source>
+        <translation>
+            <numerusform>%n attempt that was here has gone on.</numerusform>
+            <numerusform>%n attempts that were here have gone on.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n account(s) made here gave the number to the office’s account of the same name; People shows both.</source>
+        <translation>
+            <numerusform>%n account made here gave its number to the office’s account of the same name; People shows both.</numerusform>
+            <numerusform>%n accounts made here gave their numbers to the office’s accounts of the same names; People shows both.</numerusform>
         </translation>
     </message>
 </context>
