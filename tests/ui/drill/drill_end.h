@@ -52,7 +52,7 @@ class SinkingPort final : public HapticPort {
     depth_mm_ = std::min(depth_mm_ + 0.001, kMostMm);
     const bool pressed = hand_->pressed;
     return {.status = Sample::Status::fresh,
-            .position_mm = {hand_->aside_mm, 0, kStartMm - depth_mm_},
+            .position_mm = {hand_->aside_mm.load(), 0, kStartMm - depth_mm_},
             .buttons = static_cast<std::uint16_t>(pressed ? 1 : 0),
             .pedal = static_cast<std::uint16_t>(pressed ? 65535 : 0)};
   }
