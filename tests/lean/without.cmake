@@ -18,5 +18,5 @@ without(engine/step/step.cpp step_without.cpp
   "if (state.phenomena) state.phenomena->spindle" "if (false) state.phenomena->spindle"
   "if (state.phenomena) rest" "if (false) rest"
   "if (!state.phenomena) {" "if (true) {")
-without(engine/step/step_surface.cpp step_surface_without.cpp "scene.friction &&" "false &&")
+without(engine/step/methods.cpp methods_without.cpp "scene.friction &&" "false &&")
 without(engine/step/step_filled.cpp step_filled_without.cpp "scene.friction &&" "false &&")
