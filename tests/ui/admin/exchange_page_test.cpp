@@ -19,6 +19,7 @@
 #include "ui/admin/exchange_page.h"
 #include "ui/text/incident_text.h"
 #include "ui/widgets/busy.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
@@ -262,8 +263,7 @@ TEST_F(FilesBetweenStations, AFileThatIsCutShortIsNamedWithWhatIsThereOfIt) {
   ASSERT_TRUE(QFile::resize(file, whole - 1));
   const auto shown = page(clinic);
   choose(*shown, file);
-  const QLocale english(QLocale::English);
-  const QString there = QStringLiteral("%1 of the %2 bytes").arg(english.toString(whole - 1), english.toString(whole));
+  const QString there = QStringLiteral("%1 of the %2 bytes").arg(installed_locale().toString(whole - 1), installed_locale().toString(whole));
   EXPECT_TRUE(shown->message().contains(there)) << shown->message().toStdString();
 }
 
