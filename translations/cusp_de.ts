@@ -1028,6 +1028,11 @@
         <source>Protected</source>
         <translation>Geschützt</translation>
     </message>
+    <message>
+        <source>%1: none</source>
+        <comment>tolerance</comment>
+        <translation>%1: keine</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::BurText</name>

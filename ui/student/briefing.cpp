@@ -57,7 +57,10 @@ QString required_depth_text(const Scenario& s) {
 QString tolerance_text(const Leeway& leeway) {
   const auto length = [](double mm) { return format({mm, std::nullopt, u"mm"_qs, 2}); };
   QStringList lines{Briefing::tr("%1 at the floor, %2 at the sides").arg(length(leeway.floor_mm), length(leeway.side_mm))};
-  for (const auto& [face, mm] : leeway.faces) lines += Briefing::tr("%1: %2").arg(face_name(key_of(face)), length(mm));
+  for (const auto& [face, mm] : leeway.faces) {
+    const QString name = face_name(key_of(face));
+    lines += mm > 0.0 ? Briefing::tr("%1: %2").arg(name, length(mm)) : Briefing::tr("%1: none", "tolerance").arg(name);
+  }
   return lines.join(u'\n');
 }
 

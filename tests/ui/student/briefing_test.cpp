@@ -69,7 +69,7 @@ TEST(Briefing, names_what_an_attempt_is_to_spare) {
 TEST(Briefing, names_the_tolerance_of_a_face_that_has_its_own) {
   const auto tolerance = [](const char* key) { return fact(*load_builtin(key), QStringLiteral("Tolerance zone")); };
   EXPECT_EQ(tolerance("class-1-36"), "0.30 mm at the floor, 0.30 mm at the sides");
-  EXPECT_EQ(tolerance("class-2-36-do"), "0.30 mm at the floor, 0.30 mm at the sides\nother walls: 0.00 mm");
+  EXPECT_EQ(tolerance("class-2-36-do"), "0.30 mm at the floor, 0.30 mm at the sides\nother walls: none");
 }
 
 TEST(Briefing, begins_the_keyboard_on_a_button_that_can_be_pressed) {
