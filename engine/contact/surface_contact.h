@@ -271,7 +271,7 @@ class SurfaceContact {
   void find_past(const Tool& tool, Vec3 at) noexcept;
   void relax_by_past(std::size_t from, std::size_t to) noexcept;
   bool nearest_on(const Candidate& edge, double far_mm, Vec3& off, Vec3& along, double& curved) const noexcept;
-  static constexpr double kLongestLeap = 10.0, kFarthestLeapMm = 0.3;  // of the last pass's move, and mm
+  static constexpr double kLongestLeap = 10.0, kFarthestLeapMm = 0.3;  // the first in moves of the last pass
   Vec3 leap_of_ball(const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept;
   void turn(const Tool& tool, Vec3 y, std::size_t plane) noexcept;
   Contact follow(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, Vec3 predicted, double reach_mm, double most_mm) noexcept;

@@ -14,7 +14,7 @@ constexpr double kFurther = 1.5;            // of the pass's move: constraints a
 constexpr double kAsked = 0.3;              // of the last pass's move: how far the next may go
 constexpr double kAskedMm = 0.002;          // mm: and this much more
 constexpr double kNearStep = 0.5;            // of a step: as far as constraints may be built beyond those that are complete
-constexpr double kLongerStep = 4.0;         // of a head's step, after a search that it has left by leaps
+constexpr double kLongerStep = 4.0;         // of a head's step, once it is left: a pear's p99.9 on an edge falls to 0.6
 constexpr double kAgainMm = 0.03;           // mm: constraints of a later pass are built for this distance, for those that follow
 constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less in another pass has converged
 constexpr double kRollsMm = 1e-7;           // mm: the same while it rolls over an edge
@@ -79,7 +79,7 @@ void SurfaceContact::begin_search(const Volume& volume, const Tool& tool, PlaneS
 }
 
 /// What the passes to come would add to y, by the last two under the same planes (Anderson 1965, one step back). rolls: their
-/// moves grow. A head's planes have no curvature at hand. While it cuts, none: it has yet to see the walls that it leaves.
+/// moves grow. A head's planes have no curvature at hand. None while it cuts: leaps there raise the most counted work by a fifth.
 Vec3 SurfaceContact::leap_of_head(const PlaneSearch& found, Vec3 y, PlaneSolve& s, bool& rolls) const noexcept {
   const PlaneSolve::Creep before = s.creep;
   s.creep.planes = cut_.resolves() && found.active <= 2 ? found.active : 0;
