@@ -106,7 +106,7 @@ StepOutput BurMill::mill_tick() {
 
 std::vector<Row> bur_mill_rows(const Options& options) {
   std::vector<std::string> numbers = options.burs;
-  if (options.full)
+  if (numbers.empty())
     for (const CatalogueBur& entry : bur_catalogue()) numbers.push_back(entry.bur.name);
   std::vector<Row> rows;
   if (!asked(options.methods, key_of(Method::surface))) return rows;
