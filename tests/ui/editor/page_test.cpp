@@ -14,16 +14,13 @@
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QToolButton>
 #include <algorithm>
-#include <vector>
 
 #include "scenarios/burs/bur_catalogue.h"
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/editor/editor_pages.h"
-#include "ui/editor/check_messages.h"
 #include "ui/editor/editor_page.h"
 #include "ui/editor/editor_records.h"
 #include "ui/editor/handle_knob.h"
@@ -161,27 +158,6 @@ TEST_F(EditorPages, publish_and_try_out_are_off_while_a_check_fails_and_the_reas
   bool shown = false;
   for (QLabel* label : page->findChildren<QLabel*>()) shown = shown || label->text().startsWith(QStringLiteral("The target reaches out"));
   EXPECT_TRUE(shown);
-}
-
-TEST_F(EditorPages, all_that_the_checks_find_can_be_read_one_after_the_other) {
-  const auto page = open();
-  ASSERT_TRUE(page->model().set_leeway(0.1, 0.2));  // both finer than the tooth
-  const std::vector<Finding> found = page->model().findings();
-  ASSERT_GE(found.size(), 2u);
-  auto* next = named<QToolButton>(*page, "Next check");
-  ASSERT_TRUE(next != nullptr && next->isVisible());
-  const auto shows = [&](const QString& text) {
-    const QList<QLabel*> labels = page->findChildren<QLabel*>();
-    return std::ranges::any_of(labels, [&](const QLabel* label) { return label->text() == text; });
-  };
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    EXPECT_TRUE(shows(check_message(found[i], &page->model().scenario().target))) << found[i].code;
-    EXPECT_TRUE(shows(QStringLiteral("%1 of %2 things to look at").arg(i + 1).arg(found.size())));
-    next->click();
-  }
-  EXPECT_TRUE(shows(check_message(found[0], &page->model().scenario().target))) << "after the last comes the first";
-  page->model().stack().undo();
-  EXPECT_EQ(next->isVisible(), page->model().findings().size() > 1);
 }
 
 TEST_F(EditorPages, a_try_out_is_of_the_draft_is_kept_nowhere_and_leaves_everything_as_it_was) {

@@ -9,12 +9,10 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QUrl>
-#include <algorithm>
 #include <filesystem>
 #include <thread>
 
 #include "scenarios/blocks/blocks.h"
-#include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/library/library.h"
@@ -22,6 +20,7 @@
 #include "tests/modules.h"
 #include "tests/scenarios/import/mesh_files.h"
 #include "tests/ui/desk_records.h"
+#include "tests/ui/instructor/library_files.h"
 #include "ui/editor/editor_records.h"
 #include "ui/instructor/exchange.h"
 #include "ui/instructor/import_page.h"
@@ -32,78 +31,6 @@
 
 namespace cusp::test {
 namespace {
-
-/// A station with its library's page.
-struct Station {
-  DeskRecords records;
-  TempFolder cache;
-  Ports ports = Ports::of_the_system();
-  Account instructor;
-  bool answer = true;
-  QStringList asked;
-  QString picked;
-  std::vector<EditorStart> opened;
-  std::unique_ptr<LibraryPage> page;
-
-  Station() {
-    instructor = *records.store().accounts.create(records.administrator().actor(),
-                                                  {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
-    ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
-      asked << question.what;
-      then(answer);
-    };
-    ports.pick_file = [this](QWidget*, const FileWish&, std::function<void(const QString&)> then) { then(picked); };
-    show();
-  }
-  void show() {
-    page = std::make_unique<LibraryPage>(records.store(), instructor.actor(), ports, records.file(), cache.path());
-    page->show();
-    QObject::connect(page.get(), &LibraryPage::edit_wanted, [this](const EditorStart& start) { opened.push_back(start); });
-  }
-  void choose(ScenarioId id) {
-    for (int i = 0; i < page->model().rowCount(); ++i)
-      if (page->model().row(i).shown().id == id) page->table()->choose_row(i);
-  }
-  /// channel-1 with another depth, published; or with a depth of its own as a draft.
-  Scenario changed(double depth_mm) const {
-    Scenario s = *load_builtin("channel-1");
-    s.target.outline.depth_mm = depth_mm;
-    return s;
-  }
-  /// The file is read or written, on a thread of its own.
-  void worked() { ASSERT_TRUE(QTest::qWaitFor([this] { return !page->working(); }, 60'000)); }
-  void open_file(const QString& path) {
-    page->open_file(path);
-    worked();
-  }
-  void save_chosen() {
-    page->save_chosen();
-    worked();
-  }
-  std::vector<ScenarioDraft> drafts() { return *records.store().scenarios.drafts(instructor.actor()); }
-  QString message() const {
-    for (const Band* band : page->findChildren<Band*>())
-      if (!band->isHidden()) return band->text();
-    return {};
-  }
-};
-
-struct LibraryFiles : ::testing::Test {
-  TempFolder folder;
-  Station from, to;
-  QString path(const char* name) const { return QString::fromStdString((folder / name).string()); }
-  /// A new exercise on a volume, saved by `from`.
-  Scenario send_volume(const QString& file) {
-    const EditorStart start = *exercise_on(dexterity_block(0.4), "Block from a scan", from.records.file());
-    Scenario draft = start.draft;
-    EXPECT_TRUE(from.records.store().scenarios.save_draft(from.instructor.actor(), draft.id, canonical_json(draft), {}).has_value());
-    from.show();
-    from.choose(draft.id);
-    from.picked = file;
-    from.save_chosen();
-    return draft;
-  }
-};
 
 TEST_F(LibraryFiles, AnExerciseGoesToAnotherStationWithItsVolumeAndOpensInTheEditor) {
   const QString file = path("block");
@@ -339,78 +266,6 @@ TEST_F(LibraryFiles, AVolumeThatGotANumberHereDoesNotMakeItsFileAStrangeOne) {
   EXPECT_TRUE(to.message().contains(QStringLiteral("already"))) << to.message().toStdString();
   EXPECT_TRUE(to.asked.isEmpty());
   EXPECT_EQ(to.drafts().size(), 1u);
-}
-
-TEST_F(LibraryFiles, WhatIsNoExerciseIsRefusedWithItsCauseAndChangesNothing) {
-  write_text(folder / "notes.cusp", "not an exercise");
-  const std::string good = *exercise_file_bytes({from.changed(2.2), {}});
-  write_text(folder / "cut.cusp", good.substr(0, 3000));
-  std::string wrong = good;
-  wrong[wrong.find("\"depth_mm\":2.2") + 13] = '4';
-  write_text(folder / "changed.cusp", wrong);
-  const std::pair<const char*, const char*> cases[] = {{"none.cusp", "cannot be opened"},
-                                                       {"notes.cusp", "not an exercise that Cusp saved"},
-                                                       {"cut.cusp", "breaks off"},
-                                                       {"changed.cusp", "damaged or changed"}};
-  for (const auto& [name, cause] : cases) {
-    to.open_file(path(name));
-    EXPECT_TRUE(to.message().contains(QLatin1String(cause))) << name << ": " << to.message().toStdString();
-  }
-  EXPECT_TRUE(to.drafts().empty());
-  EXPECT_TRUE(to.opened.empty());
-}
-
-TEST_F(LibraryFiles, AFileWhoseTissueHasAGrownToothsCodeIsRefusedAsAnImportIs) {
-  VoxelVolume block = dexterity_block(0.4);
-  std::ranges::replace(block.tissue, Tissue::plastic, Tissue{29});
-  block.names[29] = "pulp stone";
-  ASSERT_TRUE(write_nrrd(block, folder / "block.nrrd"));
-  ExerciseFile sent{from.changed(2.2), *bytes_of(folder / "block.nrrd")};
-  sent.scenario.specimen = {};
-  sent.scenario.specimen.volume = "block.nrrd";
-  sent.scenario.specimen.voxel_mm = 0.4;
-  ASSERT_TRUE(write_exercise_file(sent, path("stone.cusp").toStdString()));
-  to.open_file(path("stone.cusp"));
-  EXPECT_TRUE(to.message().contains(QStringLiteral("the tissue pulp stone has the code of a grown tooth"))) << to.message().toStdString();
-  EXPECT_TRUE(to.drafts().empty());
-  EXPECT_TRUE(to.opened.empty());
-}
-
-TEST_F(LibraryFiles, ADraftThatTheChecksRefuseIsNotSavedAsAFile) {
-  Scenario draft = from.changed(2.2);
-  draft.id = ScenarioId::make();
-  draft.rubric.criteria.clear();
-  ASSERT_TRUE(from.records.store().scenarios.save_draft(from.instructor.actor(), draft.id, canonical_json(draft), {}).has_value());
-  from.show();
-  from.choose(draft.id);
-  from.picked = path("empty.cusp");
-  from.save_chosen();
-  EXPECT_TRUE(from.message().contains(QStringLiteral("Nothing is graded yet"))) << from.message().toStdString();
-  EXPECT_FALSE(std::filesystem::exists(folder / "empty.cusp"));
-  from.picked = path("no/such/folder/x.cusp");
-  from.choose(load_builtin("channel-1")->id);
-  from.save_chosen();
-  EXPECT_TRUE(from.message().contains(QStringLiteral("Choose another folder"))) << from.message().toStdString();
-}
-
-TEST_F(LibraryFiles, APublishedExerciseThatTheChecksRefuseByNowIsSavedAsItWasPublished) {
-  Scenario published = from.changed(2.2);
-  published.id = ScenarioId::make();
-  published.key.clear();
-  published.rubric.criteria.clear();
-  ASSERT_TRUE(from.records.store().scenarios.publish(from.instructor.actor(), published, canonical_json(published), content_hash(published).bytes));
-  from.show();
-  from.choose(published.id);
-  from.picked = path("ungraded.cusp");
-  from.save_chosen();
-  EXPECT_TRUE(from.message().contains(QStringLiteral("is saved as a file"))) << from.message().toStdString();
-  EXPECT_TRUE(from.message().contains(QStringLiteral("Nothing is graded yet"))) << from.message().toStdString();
-  EXPECT_FALSE(from.message().contains(QStringLiteral("Another station opens it"))) << from.message().toStdString();
-  ASSERT_TRUE(std::filesystem::exists(folder / "ungraded.cusp"));
-  EXPECT_EQ(read_text(folder / "ungraded.cusp"), *exercise_file_bytes({published, {}}));
-  to.open_file(from.picked);
-  EXPECT_TRUE(to.message().contains(QStringLiteral("Nothing is graded yet"))) << to.message().toStdString();
-  EXPECT_TRUE(to.drafts().empty());
 }
 
 TEST_F(LibraryFiles, ASecondFileIsNotDroppedInSilenceWhileOneIsWritten) {

@@ -11,9 +11,7 @@
 #include <filesystem>
 
 #include "scenarios/burs/bur_catalogue.h"
-#include "scenarios/teeth/landmarks.h"
 #include "tests/modules.h"
-#include "tests/ui/named_block.h"
 #include "tests/ui/report/sample_report.h"
 #include "ui/text/grade_text.h"
 #include "ui/report/against_before.h"
@@ -134,23 +132,6 @@ TEST(ReportData, losses_come_dearest_first) {
   EXPECT_EQ(shown[0].head.toStdString(), "Target removed: 26.7 points lost");  // 8 of 30
 }
 
-TEST(Report, names_a_tissue_as_the_volume_of_the_attempt_does) {
-  ReportData data = sample(70);
-  CriterionGrade& first = data.result.grade.criteria[0];
-  first.id = "removed_16";
-  first.points = 12;
-  first.reason_code = "too_little";
-  EXPECT_EQ(first_advice(data).head.toStdString(), "Material 1 removed: 26.7 points lost") << "no volume is at hand";
-  data.result.volume = std::make_shared<const Volume>(Specimen::build(named_block(), Reading::banded));
-  EXPECT_EQ(first_advice(data).head.toStdString(), "pulp stone removed: 26.7 points lost");
-  EXPECT_EQ(report_texts(data.result).label(first), "pulp stone removed");
-  CriteriaModel model(data.result.grade, data.result.scenario);
-  model.set_tissue_names(tissue_names_of(data.result));
-  EXPECT_EQ(model.index(0, CriteriaModel::kName).data().toString().toStdString(), "pulp stone removed");
-  const AgainstBefore against(data.result.grade, data.result.grade, nullptr, tissue_names_of(data.result));
-  EXPECT_EQ(against.rows().front().name.toStdString(), "pulp stone removed");
-}
-
 TEST(ReportData, an_opened_pulp_comes_first_with_when_and_where) {
   ReportData data = sample(70);
   data.result.scenario = *load_builtin("class-1-36");
@@ -184,23 +165,6 @@ TEST(ReportData, an_opened_pulp_has_its_bur_and_depth) {
   event.at_s.reset();
   event.place_mm.reset();
   EXPECT_TRUE(critical_circumstances(data, event).isEmpty());
-}
-
-TEST(ReportData, damage_of_a_protected_part_has_the_place_of_what_is_removed_of_it_and_no_depth) {
-  ReportData data = sample();
-  data.result.scenario = *load_builtin("class-2-46-mo");
-  CriterionGrade removed = data.result.grade.criteria[1];
-  removed.id = "protected_removed";
-  removed.measure = {"protected_removed", true, 0.4, 0.02, "mm3", Vec3(5.0, 0.3, -1.0)};
-  data.result.grade.criteria.push_back(removed);
-  data.result.grade.critical = {"protected_damage"};
-  data.critical = critical_events(data.result.grade, nullptr, {});
-  ASSERT_EQ(data.critical.size(), 1u);
-  ASSERT_TRUE(data.critical[0].place_mm);
-  EXPECT_EQ(*data.critical[0].place_mm, Vec3(5.0, 0.3, -1.0));
-  const bool mesial = mesial_x(46) > 0;
-  EXPECT_EQ(plain(first_advice(data).head), mesial ? "Something protected was damaged, mesial" : "Something protected was damaged, distal");
-  EXPECT_EQ(plain(first_advice(data).why), "This fails the attempt, whatever its points.");
 }
 
 TEST(ReportData, a_stored_attempt_knows_where_the_pulp_was_opened_from_its_criteria) {

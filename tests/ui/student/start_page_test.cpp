@@ -11,12 +11,9 @@
 #include "scenarios/format/content_hash.h"
 #include "scenarios/grading/maxima.h"
 #include "scenarios/format/write.h"
-#include "scenarios/import/nrrd.h"
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
-#include "tests/ui/desk_records.h"
-#include "tests/ui/named_block.h"
-#include "ui/session/file_bytes.h"
+#include "tests/ui/student/start_page_cards.h"
 #include "ui/student/briefing.h"
 #include "ui/student/interrupted_card.h"
 #include "ui/student/start_page.h"
@@ -42,51 +39,6 @@ QPushButton* button(const QWidget& page, const QString& text) {
     if (b->text() == text) return b;
   return nullptr;
 }
-
-struct StartPageCards : ::testing::Test {
-  StartPageCards() {
-    Store& store = records.store();
-    examiner = store.accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
-    const CohortId cohort = store.cohorts.create(examiner, "Year 3")->id;
-    EXPECT_TRUE(store.cohorts.add(examiner, cohort, lena.id));
-    const Scenario scenario = *load_builtin("channel-1");
-    const VersionId version = store.scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes)->id;
-    exam = *store.assignments.create(examiner, {.version = version, .cohort = cohort, .kind = SessionKind::assessment, .attempts_allowed = 1}, "4711");
-  }
-  /// With tissue removed.
-  SessionId sit(int engine_version = kEngineVersion) {
-    NewSession wanted{.student = lena.id, .version = exam.version, .assignment = exam.id, .start_code = "4711"};
-    wanted.header.scene = "{}";
-    wanted.header.device.device_class = "pointer";
-    wanted.header.engine_version = engine_version;
-    const SessionId session = records.store().sessions.start(lena.actor(), wanted)->id;
-    RecordedSecond second;
-    second.inputs.resize(1);
-    second.metrics.removed = {{Tissue::plastic, 300, 0.3}};
-    EXPECT_TRUE(records.store().traces.append(session, second));
-    records.now_us += 60'000'000;
-    return session;
-  }
-  SessionId broken_off() {
-    const SessionId session = sit();
-    EXPECT_TRUE(records.store().sessions.interrupt(session, "left"));
-    return session;
-  }
-  StartPage* page() {
-    shown = std::make_unique<StartPage>(records.store(), lena, pictures, now);
-    return shown.get();
-  }
-  std::optional<Message> refusal(const char* key) { return why_no_practice(records.store(), lena.actor(), load_builtin(key)->id); }
-
-  DeskRecords records;
-  QTemporaryDir cache;
-  ThumbnailCache pictures{cache.path().toStdString()};
-  QDateTime now{QDate(2026, 11, 20), QTime(10, 0)};
-  Account lena = records.student("1", "Lena Brandt");
-  Actor examiner;
-  Assignment exam;
-  std::unique_ptr<StartPage> shown;
-};
 
 TEST_F(StartPageCards, an_attempt_that_broke_off_after_an_hour_has_its_hours) {
   records.broken_attempt(lena, "paper-block");
@@ -351,26 +303,6 @@ TEST_F(StartPageCards, what_an_examiner_changed_is_not_advised_about) {
   ASSERT_TRUE(records.store().statements.override_points(examiner, session, lost.id, 0.5 * lost.points_max, "The block was worn."));
   EXPECT_FALSE(texts_of(*page()).contains(advice_text(lost)));
   EXPECT_TRUE(texts_of(*shown).contains(QStringLiteral("An examiner changed the points"))) << texts_of(*shown).toStdString();
-}
-
-TEST_F(StartPageCards, advice_names_a_tissue_as_the_volume_does) {
-  const std::filesystem::path folder = cache.path().toStdString();
-  ASSERT_TRUE(write_nrrd(named_block(), folder / "block.nrrd"));
-  const auto bytes = bytes_of(folder / "block.nrrd");
-  ASSERT_TRUE(bytes);
-  Store& store = records.store();
-  const auto hash = store.blobs.put(*bytes);
-  ASSERT_TRUE(hash);
-  Scenario imported = *load_builtin("channel-1");
-  imported.specimen = {};
-  imported.specimen.volume = "block.nrrd";
-  ASSERT_TRUE(store.scenarios.publish(examiner, imported, canonical_json(imported), content_hash(imported).bytes, {{"block.nrrd", *hash}}));
-  Grade grade = sample_grade(80);
-  grade.criteria[1].id = "removed_16";
-  grade.criteria[1].reason_code = "too_much";
-  records.graded_attempt(lena, "channel-1", grade, 300);
-  const StartPage start(store, lena, pictures, now, "pointer", folder);
-  EXPECT_TRUE(texts_of(start).contains(QStringLiteral("<b>pulp stone removed:</b>"))) << texts_of(start).toStdString();
 }
 
 TEST_F(StartPageCards, full_points_are_claimed_only_where_every_criterion_has_them) {
