@@ -10,6 +10,7 @@
 #include "scenarios/specimens/specimens.h"
 #include "scenarios/templates/outline_paths.h"
 #include "scenarios/templates/scope.h"
+#include "scenarios/templates/templates.h"
 
 namespace cusp::scenarios {
 
@@ -238,16 +239,6 @@ std::string joined(const Json& node, Filler& filler) {
   return out;
 }
 
-/// "1.2", "1.25": hundredths as the target has them, without a trailing zero.
-std::string figure_text(double value, std::string_view language) {
-  char digits[512];  // 309 before the decimal sign
-  const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, 2).ptr;  // as every locale has it
-  std::string out(digits, end);
-  if (out.ends_with('0')) out.pop_back();
-  if (language == "de") std::ranges::replace(out, '.', ',');
-  return out;
-}
-
 /// Title or briefing in each language.
 Json texts(const Json& node, const FitRequest& request, const Scope& scope, Filler& filler) {
   Json out = Json::object();
@@ -263,6 +254,15 @@ Json texts(const Json& node, const FitRequest& request, const Scope& scope, Fill
 }
 
 }  // namespace
+
+std::string figure_text(double value, std::string_view language) {
+  char digits[512];  // 309 before the decimal sign
+  const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, 2).ptr;  // as every locale has it
+  std::string out(digits, end);
+  if (out.ends_with('0')) out.pop_back();
+  if (language == "de") std::ranges::replace(out, '.', ',');
+  return out;
+}
 
 Result<Json, FitFailure> fill_template(const Json& body, const Json& common, const FitRequest& request, const ToothLandmarks& landmarks,
                                        const Scope& scope) {

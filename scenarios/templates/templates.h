@@ -88,4 +88,7 @@ struct FitRequest {
 /// Some 50 ms. The result passes validate(); whether it suits its specimen is for scenarios/checks.
 [[nodiscard]] Result<Scenario, FitFailure> fit_template(const FitRequest& request);
 
+/// "1.2", "1.25": hundredths as texts of exercises have them, without a trailing zero; in German ("de") with a comma.
+std::string figure_text(double value, std::string_view language);
+
 }  // namespace cusp::scenarios

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -8,6 +6,7 @@
 #include "scenarios/format/validate.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/library/library.h"
+#include "scenarios/templates/templates.h"
 #include "ui/editor/editor_records.h"
 #include "ui/editor/first_bands.h"
 #include "ui/editor/specimen_grower.h"
@@ -19,22 +18,12 @@ namespace {
 
 double to_hundredths(double mm) { return std::round(mm * 100) / 100; }
 
-/// As texts of exercises have a depth: "2.0 mm", "0.67 mm", in German with a comma.
-std::string depth_in_text(double mm, const std::string& language) {
-  std::array<char, 32> digits{};
-  const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), mm, std::chars_format::fixed, 2);
-  std::string out(digits.data(), written.ptr);
-  if (out.ends_with('0')) out.pop_back();
-  if (language == "de") std::ranges::replace(out, '.', ',');
-  return out + " mm";
-}
-
 /// The pattern's briefing with this depth in place of the pattern's.
 LocalText briefing_with_depth(const Scenario& pattern, double depth_mm) {
   LocalText out = pattern.briefing;
   for (auto& [language, text] : out) {
-    const std::string before = depth_in_text(pattern.target.outline.depth_mm, language);
-    if (const std::size_t at = text.find(before); at != std::string::npos) text.replace(at, before.size(), depth_in_text(depth_mm, language));
+    const std::string before = figure_text(pattern.target.outline.depth_mm, language) + " mm";
+    if (const std::size_t at = text.find(before); at != std::string::npos) text.replace(at, before.size(), figure_text(depth_mm, language) + " mm");
   }
   return out;
 }
