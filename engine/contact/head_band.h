@@ -6,6 +6,7 @@
 
 #include "engine/base/lanes.h"
 #include "engine/base/vec.h"
+#include "engine/contact/near_points.h"
 #include "engine/tool/profile.h"
 
 namespace cusp::engine {
@@ -40,30 +41,28 @@ struct HeadBand {
 };
 
 /// Calls visit(i, may_be_surface) in rising order for each point within `wide`; may_be_surface: also within `narrow`, or near an
-/// edge. Three floats beyond count must be readable.
+/// edge. Seven floats beyond count must be readable.
 template <class Visit>
 inline void for_band(const float* x, const float* y, const float* z, int count, const HeadBand& band, Visit&& visit) noexcept {
-  for (int i = 0; i < count; i += kLanes) {
+  unsigned char narrow[kHitBlock / kLanes];
+  const auto four = [&](int i) {
     const Lanes dx = load_lanes(x + i) - band.at.x, dy = load_lanes(y + i) - band.at.y, dz = load_lanes(z + i) - band.at.z;
     const Lanes t = dx * band.axis.x + dy * band.axis.y + dz * band.axis.z;
     const Lanes rho = sqrt_of(most_of(dx * dx + dy * dy + dz * dz - t * t, all_lanes(0.0f)));
     // A convex head is no nearer than a line that it touches.
     Lanes off = all_lanes(-3.0e38f);
     for (int k = 0; k < band.count; ++k) off = most_of(off, t * band.line[k].t + rho * band.line[k].rho - band.line[k].level);
-    unsigned hit = bits_of(off <= band.wide);
-    if (count - i < kLanes) hit &= (1u << (count - i)) - 1u;
-    if (hit == 0) continue;
+    const unsigned hit = bits_of(off <= band.wide);
+    if (hit == 0) return hit;
     LaneMask close = off <= band.narrow;
     for (int k = 0; k < band.rims; ++k) {
       const Lanes dt = t - band.rim[k].t, dr = rho - band.rim[k].rho;
       close |= dt * dt + dr * dr <= band.rim2;
     }
-    const unsigned narrow = bits_of(close);
-    for (; hit != 0; hit &= hit - 1) {
-      const int lane = __builtin_ctz(hit);
-      visit(i + lane, (narrow >> lane & 1) != 0);
-    }
-  }
+    narrow[i % kHitBlock / kLanes] = static_cast<unsigned char>(bits_of(close));
+    return hit;
+  };
+  for_hits(count, four, [&](int i) { visit(i, (narrow[i % kHitBlock / kLanes] >> i % kLanes & 1) != 0); });
 }
 
 }  // namespace cusp::engine

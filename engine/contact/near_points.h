@@ -1,27 +1,41 @@
-/// Which of many points lie within reach of a place, eight at a time. Places in voxels, single precision: what passes is
+/// Which of many points lie within reach of a place, four at a time. Places in voxels, single precision: what passes is
 /// asked again exactly by whoever needs it, so `reach` should carry a thousandth of a voxel more than is meant.
 /// Wait-free. Thread: any.
 #pragma once
+
+#include <bit>
+#include <cstdint>
 
 #include "engine/base/lanes.h"
 #include "engine/base/vec.h"
 
 namespace cusp::engine {
 
-/// Calls visit(i) in rising order for each i < count with |(x,y,z)[i] - centre|^2 <= reach2. Seven floats beyond count
-/// must be readable.
+/// Places that are tested before the first of them is visited: visits between the tests would take their registers.
+inline constexpr int kHitBlock = 64;
+
+/// Calls visit(i) in rising order for each hit i < count. four(i): one bit for each of the four places from i on.
+template <class Four, class Visit>
+inline void for_hits(int count, Four&& four, Visit&& visit) noexcept {
+  for (int first = 0; first < count; first += kHitBlock) {
+    const int here = count - first < kHitBlock ? count - first : kHitBlock;
+    std::uint64_t hits = 0;
+    for (int i = 0; i < here; i += 2 * kLanes)
+      hits |= static_cast<std::uint64_t>(four(first + i) | four(first + i + kLanes) << kLanes) << i;
+    if (here < kHitBlock) hits &= (std::uint64_t{1} << here) - 1;
+    for (; hits != 0; hits &= hits - 1) visit(first + std::countr_zero(hits));
+  }
+}
+
+/// Calls visit(i) in rising order for each i < count with |(x,y,z)[i] - centre|^2 <= reach2. Seven floats beyond
+/// count must be readable.
 template <class Visit>
 inline void for_near(const float* x, const float* y, const float* z, int count, Vec3f centre, float reach2,
                      Visit&& visit) noexcept {
-  const auto four = [&](int i) {
+  for_hits(count, [&](int i) {
     const Lanes dx = load_lanes(x + i) - centre.x, dy = load_lanes(y + i) - centre.y, dz = load_lanes(z + i) - centre.z;
     return bits_of(dx * dx + dy * dy + dz * dz <= reach2);
-  };
-  for (int i = 0; i < count; i += 8) {
-    unsigned hit = four(i) | four(i + 4) << 4;
-    if (count - i < 8) hit &= (1u << (count - i)) - 1u;
-    for (; hit != 0; hit &= hit - 1) visit(i + __builtin_ctz(hit));
-  }
+  }, visit);
 }
 
 /// Two coaxial cylinders, the wider one from `wide_from` on; both from `from` upwards. In the points' own frame.
@@ -35,15 +49,13 @@ struct TwoCylinders {
 template <class Visit>
 inline void for_inside(const float* x, const float* y, const float* z, int count, TwoCylinders c,
                        Visit&& visit) noexcept {
-  for (int i = 0; i < count; i += kLanes) {
+  for_hits(count, [&](int i) {
     const Lanes dx = load_lanes(x + i) - c.at.x, dy = load_lanes(y + i) - c.at.y, dz = load_lanes(z + i) - c.at.z;
     const Lanes t = dx * c.axis.x + dy * c.axis.y + dz * c.axis.z;
     const Lanes off2 = dx * dx + dy * dy + dz * dz - t * t;
     const LaneMask inside = (off2 <= c.narrow2) | ((t >= c.wide_from) & (off2 <= c.wide2));
-    unsigned hit = bits_of((t >= c.from) & (t <= c.to) & inside);
-    if (count - i < kLanes) hit &= (1u << (count - i)) - 1u;
-    for (; hit != 0; hit &= hit - 1) visit(i + __builtin_ctz(hit));
-  }
+    return bits_of((t >= c.from) & (t <= c.to) & inside);
+  }, visit);
 }
 
 /// Largest n . (x, y, z) of the points; -3e38 of none. Only for bounds: the order of the sums is fixed all the same.

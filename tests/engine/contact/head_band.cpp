@@ -26,7 +26,7 @@ struct BandPoints {
   std::vector<int> by(const HeadBand& band) const {
     std::vector<int> out(x.size(), 0);
     std::vector<float> px = x, py = y, pz = z;
-    for (std::vector<float>* p : {&px, &py, &pz}) p->resize(p->size() + 4, 0.0f);
+    for (std::vector<float>* p : {&px, &py, &pz}) p->resize(p->size() + 7, 0.0f);
     for_band(px.data(), py.data(), pz.data(), static_cast<int>(x.size()), band,
              [&](int i, bool surface) { out[static_cast<std::size_t>(i)] = surface ? 2 : 1; });
     return out;
