@@ -99,9 +99,11 @@ struct SurfaceContact::EdgePair {
   [[gnu::always_inline]] static EdgePair of(const Candidate& a, const Candidate& b, Pair dx, Pair dy, Pair dz) noexcept {
     const CutFeature &fa = *a.feature, &fb = *b.feature;
     const Vec3f &ba = fa.other_normal, &bb = fb.other_normal, &wa = fa.third_normal, &wb = fb.third_normal, &qa = fa.fourth, &qb = fb.fourth;
-    return {dx, dy, dz, {a.normal.x, b.normal.x}, {a.normal.y, b.normal.y}, {a.normal.z, b.normal.z},
-            {ba.x, bb.x}, {ba.y, bb.y}, {ba.z, bb.z}, {wa.x, wb.x}, {wa.y, wb.y}, {wa.z, wb.z}, {qa.x, qb.x}, {qa.y, qb.y}, {qa.z, qb.z},
-            {fa.other_d_mm, fb.other_d_mm}, {fa.third_d_mm, fb.third_d_mm}};
+    const auto two = [](double of_a, double of_b) { return Pair{of_a, of_b}; };
+    return {dx, dy, dz, two(a.normal.x, b.normal.x), two(a.normal.y, b.normal.y), two(a.normal.z, b.normal.z),
+            two(ba.x, bb.x), two(ba.y, bb.y), two(ba.z, bb.z), two(wa.x, wb.x), two(wa.y, wb.y), two(wa.z, wb.z),
+            two(qa.x, qb.x), two(qa.y, qb.y), two(qa.z, qb.z),
+            two(fa.other_d_mm, fb.other_d_mm), two(fa.third_d_mm, fb.third_d_mm)};
   }
 
   /// By Newton along the edges from t: their nearest places, and the way from there to the pose.
