@@ -14,7 +14,8 @@ namespace cusp::engine {
 /// Places that are tested before the first of them is visited: visits between the tests would take their registers.
 inline constexpr int kHitBlock = 64;
 
-/// Calls visit(i) in rising order for each hit i < count. four(i): one bit for each of the four places from i on.
+/// Calls visit(i) in rising order for each hit i < count. four(i): one bit for each of the four places from i on;
+/// it is asked for up to seven places beyond count.
 template <class Four, class Visit>
 inline void for_hits(int count, Four&& four, Visit&& visit) noexcept {
   for (int first = 0; first < count; first += kHitBlock) {
