@@ -101,9 +101,12 @@ class NearTissue {
   std::array<std::uint32_t, kSide * kSide> beside_{};
 };
 
-void lower(std::uint16_t& to, std::uint16_t s, IVec3 at, ChangedBox& out) noexcept {
-  if (s >= to) return;
-  to = s;
+/// Lowers C of a voxel, whose sweep is no longer what has cut it; unless it is as low already.
+void lower(Volume& volume, int brick, std::uint16_t* values, IVec3 at, std::uint16_t s, ChangedBox& out) noexcept {
+  const int offset = brick_offset(at.x & 7, at.y & 7, at.z & 7);
+  if (s >= values[offset]) return;
+  values[offset] = s;
+  volume.forget_sweep(brick, offset);
   out.low = out.any ? glm::min(out.low, at) : at;
   out.high = out.any ? glm::max(out.high, at) : at;
   out.any = true;
@@ -134,12 +137,10 @@ void stamp_row(Volume& volume, const NearTissue& beside_tissue, IVec3 v, int len
           if (!none) volume.touched(brick);
         }
         if (none) continue;
-        std::uint16_t& to = values[brick_offset(x & 7, y & 7, z & 7)];
-        if (s >= to) continue;
         const IVec3 at(x, y, z);
+        if (s >= values[brick_offset(x & 7, y & 7, z & 7)]) continue;
         if (beside_tissue(at)) s = kBeside.at(dx, std::abs(dy), std::abs(dz));
-        lower(to, s, at, out);
-        volume.forget_sweep(brick, brick_offset(x & 7, y & 7, z & 7));
+        lower(volume, brick, values, at, s, out);
       }
     }
 }
@@ -219,9 +220,7 @@ ChangedBox remove_voxels(Volume& volume, std::span<const IVec3> voxels) noexcept
     const int brick = volume.specimen().brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
     std::uint16_t* values = volume.cut_for_writing(brick);
     if (values == nullptr) continue;
-    const int offset = brick_offset(v.x & 7, v.y & 7, v.z & 7);
-    lower(values[offset], kBeside.at(0, 0, 0), v, out);
-    volume.forget_sweep(brick, offset);
+    lower(volume, brick, values, v, kBeside.at(0, 0, 0), out);
   }
   if (voxels.empty()) return out;
   const NearTissue beside_tissue(volume, {voxels[0].x >> 3, voxels[0].y >> 3, voxels[0].z >> 3});

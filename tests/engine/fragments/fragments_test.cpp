@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -185,6 +186,33 @@ TEST(Fragments, what_went_leaves_no_surface_behind_and_its_neighbours_untouched)
         if (volume.cut(v) == kSolid) continue;
         for (int i = 0; i < 3; ++i) EXPECT_TRUE(v[i] >= changed.low[i] && v[i] <= changed.high[i]);
       }
+}
+
+TEST(Fragments, a_voxel_keeps_the_id_of_its_sweep_where_a_crumb_that_goes_lowers_nothing) {
+  // An islet of 2 x 2 x 3 voxels is left in a hole, one voxel from its wall.
+  Volume volume(block(Reading::banded));
+  volume.keep_sweeps();
+  const Vec3 middle(1.4, 0.0, 0.0);
+  carved::carve(volume, [&](Vec3 p) { return std::max(box(p, middle, Vec3(0.2, 0.2, 0.25)), -box(p, middle, Vec3(0.1, 0.1, 0.15))); });
+  for (const std::int32_t brick : volume.cut_bricks()) std::fill_n(volume.sweeps_for_writing(brick), kBrickVoxels, 7);
+  const Volume was = volume;
+  Crumb crumb;
+  ASSERT_TRUE(crumb_at(volume, {37, 19, 19}, crumb));
+  const ChangedBox changed = remove_voxels(volume, crumb.voxels());
+  ASSERT_TRUE(changed.any);
+  int kept = 0;
+  IVec3 v;
+  for (v.z = changed.low.z - 2; v.z <= changed.high.z + 2; ++v.z)
+    for (v.y = changed.low.y - 2; v.y <= changed.high.y + 2; ++v.y)
+      for (v.x = changed.low.x - 2; v.x <= changed.high.x + 2; ++v.x) {
+        const int brick = volume.specimen().brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
+        if (!was.has_cut(brick)) continue;
+        const bool same = volume.cut(v) == was.cut(v);
+        kept += same ? 1 : 0;
+        EXPECT_EQ(volume.sweeps_of(brick)[brick_offset(v.x & 7, v.y & 7, v.z & 7)], same ? 7 : Volume::kNoSweep)
+            << v.x << ' ' << v.y << ' ' << v.z;
+      }
+  EXPECT_GT(kept, 100);
 }
 
 TEST_P(EveryReading, a_fragment_is_removed_alike_from_a_saved_state) {
