@@ -127,7 +127,7 @@ void SurfaceContact::nearest_to_ball(const Volume& volume, const Tool& tool, Vec
 /// Free space beyond a plane with normal n, if there is enough.
 bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept {
   const Bur& bur = *tool.bur;
-  FreeSpace found{pose, n, kFreeMargin - voxel_mm_, 0.0, tool.index, true, false, tool.axis};
+  FreeSpace found{pose, n, std::max(0.0, kFreeMargin - voxel_mm_), 0.0, tool.index, true, false, tool.axis};
   double highest = -1e300;
   const Vec3f slim_n(n);
   free_bricks(volume, tool, pose, [&](int brick, IVec3 at, auto&& cells) {
