@@ -129,8 +129,9 @@ void add_flags(const Contact& contact, StepOutput& out) noexcept {
   out.overflow = out.overflow || contact.overflow;
 }
 
-/// Solves for the same way in parts. In one step the proxy can cross an edge that stops an evenly moving device.
-Contact solve_in_parts(StepState::Inner& state, const Tick& tick, const Motion& motion, StepOutput& out) noexcept {
+/// Solves for the same way in parts. In one step the proxy can cross an edge that stops an evenly moving device. Once a part of the
+/// way outruns it too, by more than `most`, the rest is one part.
+Contact solve_in_parts(StepState::Inner& state, const Tick& tick, const Motion& motion, double most, StepOutput& out) noexcept {
   SurfaceContact& surface = *state.surface;
   surface.reset_budget();
   Contact contact;
@@ -139,6 +140,7 @@ Contact solve_in_parts(StepState::Inner& state, const Tick& tick, const Motion& 
   const Vec3 part = motion.way / static_cast<double>(parts);
   const double part_reach = kReach * motion.moved / parts + kReachMm;
   for (int i = 1; i <= parts && !(i > 1 && surface.spent()); ++i) {
+    if (length_of(at - state.proxy) > most) i = parts;
     const Vec3 to = i < parts ? state.device + part * static_cast<double>(i) : tick.device;
     contact = surface.solve(state.volume, *state.scene, out.bur, tick.axis, at, to, part, part_reach, SurfaceContact::kAnyWay);
     at = contact.pose_mm;
@@ -167,7 +169,7 @@ Contact follow_device(StepState::Inner& state, const Tick& tick, const Motion& m
   Contact contact = surface.solve(state.volume, *state.scene, out.bur, tick.axis, state.proxy, tick.device, predicted, reach,
                                   led ? most : SurfaceContact::kAnyWay);
   if ((contact.active > 0 || contact.deferred) && led && !contact.in_steps && length_of(contact.pose_mm - state.proxy) > most)
-    contact = solve_in_parts(state, tick, motion, out);
+    contact = solve_in_parts(state, tick, motion, most, out);
   add_flags(contact, out);
   return contact;
 }
