@@ -34,6 +34,7 @@ struct StepState::Inner {
   bool started = false;
   bool cut_valid = false;
   bool cut_pending = false;        // the sweep along cut_way to cut_pose is still growing
+  bool carved = false;             // the last tick carved a head's sweep after it had solved for contact
   Polyline cut_way;                // a head's: where the sweep begins and bends; a ball's: where it begins
   Vec3 cut_axis{0.0, 0.0, 1.0};    // of the bur in that sweep
   std::int32_t cut_first = 0, cut_last = -1;  // a ball's: those of `sweeps` that it is made of

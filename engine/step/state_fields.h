@@ -191,7 +191,7 @@ template <class Fields, MaybeConst<StepState::Inner> T>
 void visit(Fields& f, T& state) {
   // scene is what the state is of; fronts and method are made from it.
   [[maybe_unused]] auto& [scene, volume, last, guard, proxy, device, predicted_excess, prediction_holds, cut_pose, started, cut_valid,
-                          cut_pending, cut_way, cut_axis, cut_first, cut_last, pending_sweep, wear_remainder, foot, memory, sweeps, fragment_removal, fronts, surface, method,
+                          cut_pending, carved, cut_way, cut_axis, cut_first, cut_last, pending_sweep, wear_remainder, foot, memory, sweeps, fragment_removal, fronts, surface, method,
                           phenomena] = state;
   const IVec3 count = scene->specimen->brick_count();
   const int bricks = count.x * count.y * count.z;
@@ -205,6 +205,7 @@ void visit(Fields& f, T& state) {
   f("started", started);
   f("cut_valid", cut_valid);
   f("cut_pending", cut_pending);
+  f("carved", carved);
   visit(f, cut_way);
   f("cut_axis", cut_axis);
   f("cut_first", cut_first);

@@ -174,6 +174,15 @@ Contact follow_device(StepState::Inner& state, const Tick& tick, const Motion& m
   return contact;
 }
 
+/// Solves again where the last tick has carved a head's sweep: what that moves the proxy by is no slide.
+void settle_on_carved(StepState::Inner& state, std::uint16_t bur) noexcept {
+  if (!state.carved) return;
+  state.carved = false;
+  state.surface->start_tick(cutting_of(state));
+  state.proxy = state.surface->solve(state.volume, *state.scene, bur, state.cut_axis, state.proxy, state.device, Vec3(0.0), kReachMm,
+                                     SurfaceContact::kAnyWay).pose_mm;
+}
+
 /// Keeps how the proxy's motion differed from the device's, for the next tick's prediction.
 void update_prediction(StepState::Inner& state, const Contact& contact, const Motion& motion) noexcept {
   const double moved = motion.moved;
@@ -277,18 +286,15 @@ Contact cut_tissue(StepState::Inner& state, const Tick& tick, const Contact& con
     state.cut_pose = next;
   }
   state.cut_valid = true;
-  // A head is carved before contact is solved again, so that a change of the field does not count as a slide; once a tick at
-  // most if it is small: the features about it are recomputed afterwards. A ball's field waits, for its sweeps count at once.
-  const auto carve_some = [&] {
-    if (state.pending_sweep.next < 0) return;
-    const int bricks = bricks_a_tick(state);
-    if (!carved || bricks != kAllBricks) out.overflow = !carve_pending(state, bricks) || out.overflow;
-  };
-  const bool ball = state.scene->burs[out.bur].head.ball();
-  if (!ball) carve_some();
   const Contact after =
       state.surface->after_cut(state.volume, *state.scene, out.bur, tick.axis, contact, tick.device, cut.advance_mm);
-  if (ball) carve_some();
+  // The field waits: a ball's sweeps and a head's past poses count at once. Small burs are carved once a tick at most, for the
+  // features about them are recomputed afterwards: by the next tick.
+  const int bricks = bricks_a_tick(state);
+  if (state.pending_sweep.next >= 0 && (!carved || bricks != kAllBricks)) {
+    out.overflow = !carve_pending(state, bricks) || out.overflow;
+    state.carved = !state.scene->burs[out.bur].head.ball();
+  }
   add_flags(after, out);
   state.proxy = after.pose_mm;
   return after;
@@ -298,6 +304,7 @@ class SurfaceMethod final : public ContactMethod {
  public:
   void tick(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept override {
     const Scene& scene = *state.scene;
+    settle_on_carved(state, out.bur);
     const Vec3 device = tick.device, before = state.proxy;
     Motion motion{device - state.device};
     motion.moved = length_of(motion.way);
