@@ -216,22 +216,37 @@ bool SurfaceContact::fits(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 
   return planes_.size() == 0;
 }
 
-bool SurfaceContact::push_out(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, double thin_mm, Vec3& out) noexcept {
-  constexpr double kMost = 0.02;
-  const Tool tool{&bur, axis, kNoBur, thin_mm, thin_mm};
-  count_ = 0;
-  gathered_.valid = false;
-  gather_head(volume, tool, pose, kMost + 0.01);
-  for (std::size_t i = 0; i < count_; ++i)
-    if (known_[i] == Known::unmade) make(volume, tool, i);
+bool SurfaceContact::push_out(const Volume& volume, const Scene& scene, std::uint16_t bur, Vec3 axis, Vec3 pose, double thin_mm,
+                              Vec3& out) noexcept {
+  constexpr double kMost = 0.02, kBallMargin = 0.01, kFirst = 0.006;
+  const bool ball = scene.burs[bur].head.ball();
+  const Tool tool{&scene.burs[bur], axis, ball ? kNoBur : bur, thin_mm, thin_mm};
+  active_set_.fresh = false;
+  if (ball) {
+    count_ = 0;
+    gathered_.valid = false;
+    gather_head(volume, tool, pose, kMost + kBallMargin);
+    for (std::size_t i = 0; i < count_; ++i)
+      if (known_[i] == Known::unmade) make(volume, tool, i);
+  }
+  double within = kFirst;  // a head's constraints are built for this distance about y
   Vec3 y = pose;
   for (int pass = 0; pass < 8; ++pass) {
     planes_.clear();
-    planes(tool, y, 0, count_, 0.1);
-    if (tool.ball()) add_cavity(volume, tool, y, kMost + 0.01);
+    if (ball) {
+      planes(tool, y, 0, count_, 0.1);
+      add_cavity(volume, tool, y, kMost + kBallMargin);
+    } else {
+      gather(volume, tool, pose, 2.0 * within);
+      add_head_constraints(volume, tool, pose, length_of(y - pose) + within, y, within);
+    }
     const PlaneSearch found = closest_point(pose, planes_, kTolerance, {});
     if (!found.feasible || length_of(found.y - pose) > kMost) return false;
     const double moved = length_of(found.y - y);
+    if (!ball && moved > within) {
+      within = kMost;
+      continue;
+    }
     y = found.y;
     if (!refine_in_cavity(volume, tool, y, found, CavityWalls::Jump::replaces, CavityWalls::kMostSteps) && moved < 1e-6) break;
   }

@@ -47,7 +47,7 @@ class SurfaceContact {
   bool in_free_space(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose) noexcept { return clear_path(volume, {&bur, axis}, pose, pose); }
 
   /// The nearest pose at which the head alone, thinner by thin_mm all over, fits. False if there is none within 20 um.
-  bool push_out(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, double thin_mm, Vec3& out) noexcept;
+  bool push_out(const Volume& volume, const Scene& scene, std::uint16_t bur, Vec3 axis, Vec3 pose, double thin_mm, Vec3& out) noexcept;
 
   /// To be called after every change of the cut field. Known free space stays valid, for cutting only removes tissue.
   void changed(const Volume& volume, const ChangedVoxels& changed) noexcept {

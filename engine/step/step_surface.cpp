@@ -203,7 +203,7 @@ bool limit_slide(StepState::Inner& state, const Tick& tick, const Pressed& press
   out.overflow = !carve_all(state, out.bur) || out.overflow;
   Vec3 out_pose;
   const double shallow = tau > kLeastTauMm ? tau : kLeastTauMm;
-  if (state.surface->push_out(state.volume, bur, tick.axis, cut.pose, shallow, out_pose)) {
+  if (state.surface->push_out(state.volume, *state.scene, out.bur, tick.axis, cut.pose, shallow, out_pose)) {
     cut.pose = out_pose;
   } else {
     cut.pose = state.proxy;

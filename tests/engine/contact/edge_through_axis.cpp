@@ -32,7 +32,7 @@ TEST(EdgeThroughAxis, leads_a_head_out_of_the_block) {
     EXPECT_LT(length(contact.pose_mm - pose), 0.5) << along;
     for (int a = 0; a < contact.active; ++a) EXPECT_NEAR(length(contact.normal[a]), 1.0, 1e-6) << along;
     Vec3 out(0.0);
-    EXPECT_FALSE(surface.push_out(volume, scene->burs[0], kAxis, pose, 0.0001, out)) << "half a millimetre deep, at " << along;
+    EXPECT_FALSE(surface.push_out(volume, *scene, 0, kAxis, pose, 0.0001, out)) << "half a millimetre deep, at " << along;
   }
 }
 

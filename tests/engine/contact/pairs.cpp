@@ -47,7 +47,7 @@ struct Bench {
   /// One by one: no plane is met by more than the tolerance.
   bool free_one_by_one(Vec3 pose, double thin_mm) {
     Vec3 out(1e9);
-    return surface->push_out(*volume, bur(), kUp, pose, thin_mm, out) && out == pose;
+    return surface->push_out(*volume, *scene, 0, kUp, pose, thin_mm, out) && out == pose;
   }
 
   std::shared_ptr<Scene> scene;
@@ -82,7 +82,7 @@ Seen compare(Bench& bench, double half_mm, double top_mm, double thin_mm) {
     const double down = begins(above, kUp, -1.5, 0.0, 1e-9, [&](Vec3 p) { return bench.free_by_pairs(p); });
     const Vec3 met = above + kUp * down;
     Vec3 out;
-    if (!bench.surface->push_out(*bench.volume, bench.bur(), kUp, met - kUp * 1e-6, thin_mm, out)) continue;
+    if (!bench.surface->push_out(*bench.volume, *bench.scene, 0, kUp, met - kUp * 1e-6, thin_mm, out)) continue;
     const Vec3 way = out - (met - kUp * 1e-6);
     if (length(way) < 1e-9) continue;
     const Vec3 n = way / length(way);
