@@ -311,7 +311,7 @@ void SurfaceContact::build_constraints(const Volume& volume, const Tool& tool, V
   const int unit = tool.ball() ? 1 : kHeadCandidate;
   const int cost = kCandidatesOfConstraint * static_cast<int>(planes_.size()) * unit;
   candidates_left_ -= cost;
-  candidates_before_ += static_cast<std::int64_t>(looked) * unit - cost;  // candidates_visited() counts what was looked at
+  visited_before_ += static_cast<std::int64_t>(looked) * unit - cost;  // candidates_visited() counts what was looked at
 }
 
 /// The same constraints, seen from another place and at most slack_mm away, of the last full build's candidates. False if that

@@ -66,18 +66,27 @@ class SurfaceContact {
     shank_free_ = {};
   }
 
-  /// Budget of a tick: candidates of all searches after reset_budget(), at 25 to 50 ns, and so many passes at least; more while
-  /// the bur cuts, for a tick with `deferred` set cuts nothing: 16 passes leave 0.2 mm uncut at 200 mm/s (`cusp-bench removal
-  /// --full`). Where it runs out, a search that has moved stops with it set.
+  /// Of a tick: candidates of all searches after reset_budget(), at 25 to 50 ns, and so many passes at least. Where it runs out,
+  /// a search that has moved stops with `deferred` set.
   /// Caches decide how many candidates are looked at, so constraints are charged: for each, 1.2 to 2.1 were looked at.
-  static constexpr int kMostCandidates = 10000, kLeastPasses = 8, kLeastCutting = 48;
+  struct Budget {
+    int candidates, passes;
+  };
   static constexpr int kCandidatesOfConstraint = 2, kCandidatesOfPass = 20, kHeadCandidate = 4;  // of another head: some 160 ns
-  void reset_budget() noexcept {
-    candidates_before_ = candidates_visited();
-    candidates_left_ = kMostCandidates;
+  static constexpr Budget kExploring{10000, 8};
+  /// A deferred tick cuts nothing: at 200 mm/s 16 passes leave 0.2 mm uncut (`cusp-bench removal --full`).
+  static constexpr Budget kCutting{10000, 48};
+  /// Of a head that is no ball and cuts while the device moves slowly: the next tick goes on where it stops.
+  static constexpr Budget kCuttingSlowly{5000, 16};
+  /// The same where its proxy outruns the device, or has still to settle on what was carved.
+  static constexpr Budget kShort{2500, 4};
+  void reset_budget(const Budget& budget) noexcept {
+    visited_before_ = candidates_visited();
+    budget_ = budget;
+    candidates_left_ = budget.candidates;
     passes_ = 0;
   }
-  bool spent() const noexcept { return candidates_left_ <= 0 && passes_ >= (cut_.resolves() ? kLeastPasses : kLeastCutting); }
+  bool spent() const noexcept { return candidates_left_ <= 0 && passes_ >= budget_.passes; }
 
   /// off: while the bur cuts; all parts are unresolved then, for strokes are carved later than they enter the memory. now:
   /// parts near the bur are resolved, at most CutSurface::kResolvePerTick. wait: none is in this tick.
@@ -94,8 +103,8 @@ class SurfaceContact {
   }
 
   /// To be called before a tick's first solve(); then set_cutting() after each change of the cutting.
-  void start_tick(const Cutting& cutting) noexcept {
-    reset_budget();
+  void start_tick(const Cutting& cutting, const Budget& budget) noexcept {
+    reset_budget(budget);
     walls_.start(cutting);
   }
   void set_cutting(const Cutting& cutting) noexcept { walls_.set_cutting(cutting); }
@@ -108,7 +117,7 @@ class SurfaceContact {
 
   /// For tests and benches: ticks that FreeSpace answered, candidates looked at since construction, the most of one pass.
   std::uint64_t answered_free() const noexcept { return answered_free_; }
-  std::int64_t candidates_visited() const noexcept { return candidates_before_ + kMostCandidates - candidates_left_; }
+  std::int64_t candidates_visited() const noexcept { return visited_before_ + budget_.candidates - candidates_left_; }
   std::size_t most_candidates() const noexcept { return most_candidates_; }
 
  private:
@@ -354,8 +363,9 @@ class SurfaceContact {
   std::uint64_t answered_free_ = 0;
   std::size_t most_candidates_ = 0;
   bool overflow_ = false;
-  int candidates_left_ = kMostCandidates, passes_ = 0;
-  std::int64_t candidates_before_ = 0;
+  Budget budget_ = kExploring;
+  int candidates_left_ = kExploring.candidates, passes_ = 0;
+  std::int64_t visited_before_ = 0;
   bool all_resolved_ = true;           // no part near the bur is unresolved
   /// If valid, no part within kUnresolvedMarginMm of `at` is unresolved.
   struct UnresolvedFar {

@@ -29,6 +29,8 @@ constexpr double kOutrunTimes = 1.5, kOutrunMm = 0.02;
 constexpr int kParts = 8, kHeadParts = 4;  // the second of a head that is no ball and does not cut: its search costs more
 /// Reach of a search: the device's motion times kReach, and kReachMm.
 constexpr double kReach = 1.1, kReachMm = 0.004;
+/// A device that moves less in a tick waits for its proxy, mm.
+constexpr double kSlowMm = 0.02;
 /// Tolerance of a prediction, as a share of the device's motion and a length. The proxy's excess motion predicts the
 /// next one if it is larger, and differs from the last tick's by less.
 constexpr double kPredictionTolerance = 0.1, kPredictionToleranceMm = 0.002;
@@ -129,11 +131,21 @@ void add_flags(const Contact& contact, StepOutput& out) noexcept {
   out.overflow = out.overflow || contact.overflow;
 }
 
+/// Of a solve for the whole way of the device, or in parts for one that the proxy outruns.
+enum class WayIs : std::uint8_t { whole, outrun };
+const SurfaceContact::Budget& budget_of(const StepState::Inner& state, const Tick& tick, std::uint16_t bur, const Motion& motion,
+                                        WayIs way) noexcept {
+  if (!tick.cut && !state.cut_valid) return SurfaceContact::kExploring;
+  if (state.scene->burs[bur].head.ball()) return SurfaceContact::kCutting;
+  if (way == WayIs::outrun) return SurfaceContact::kShort;
+  return motion.moved > kSlowMm ? SurfaceContact::kCutting : SurfaceContact::kCuttingSlowly;
+}
+
 /// Solves for the same way in parts. In one step the proxy can cross an edge that stops an evenly moving device. Once a part of the
 /// way outruns it too, by more than `most`, the rest is one part.
 Contact solve_in_parts(StepState::Inner& state, const Tick& tick, const Motion& motion, double most, StepOutput& out) noexcept {
   SurfaceContact& surface = *state.surface;
-  surface.reset_budget();
+  surface.reset_budget(budget_of(state, tick, out.bur, motion, WayIs::outrun));
   Contact contact;
   Vec3 at = state.proxy;
   const int parts = tick.cut || state.scene->burs[out.bur].head.ball() ? kParts : kHeadParts;
@@ -159,7 +171,7 @@ Contact follow_device(StepState::Inner& state, const Tick& tick, const Motion& m
   const double most = kOutrunTimes * moved + kOutrunMm;
   const bool led = !state.last.deferred && moved > 0.0;
 
-  surface.start_tick(cutting_of(state));
+  surface.start_tick(cutting_of(state), budget_of(state, tick, out.bur, motion, WayIs::whole));
   // The tick that ends a stroke carves the rest of it; edges are resolved in later ticks.
   const bool cuts = tick.cut || state.cut_valid;
   surface.resolve(state.volume, state.scene->burs[out.bur], tick.axis, state.proxy,
@@ -178,7 +190,7 @@ Contact follow_device(StepState::Inner& state, const Tick& tick, const Motion& m
 void settle_on_carved(StepState::Inner& state, std::uint16_t bur) noexcept {
   if (!state.carved) return;
   state.carved = false;
-  state.surface->start_tick(cutting_of(state));
+  state.surface->start_tick(cutting_of(state), SurfaceContact::kShort);
   state.proxy = state.surface->solve(state.volume, *state.scene, bur, state.cut_axis, state.proxy, state.device, Vec3(0.0), kReachMm,
                                      SurfaceContact::kAnyWay).pose_mm;
 }

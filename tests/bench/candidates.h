@@ -11,7 +11,7 @@ namespace cusp::bench {
 /// Most candidates of one search so far; -1 for the other methods.
 std::int64_t most_candidates(StepState& state);
 
-/// Units of 25 to 50 ns that the search for the proxy has counted so far (SurfaceContact::kMostCandidates); -1 for the other
+/// Units of 25 to 50 ns that the search for the proxy has counted so far (SurfaceContact::Budget); -1 for the other
 /// methods.
 std::int64_t counted_work(StepState& state);
 

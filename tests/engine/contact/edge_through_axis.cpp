@@ -24,7 +24,7 @@ TEST(EdgeThroughAxis, leads_a_head_out_of_the_block) {
     SurfaceContact surface(*scene, volume, memory, sweeps);
     // The upper edge along x is half-way up the head, whose pivot is 0.5 mm over its tip.
     const Vec3 pose(along, kHalf.y, kHalf.z - 0.5);
-    surface.start_tick({});
+    surface.start_tick({}, SurfaceContact::kExploring);
     const Contact contact = surface.solve(volume, *scene, 0, kAxis, pose, pose + Vec3(0.002, 0.003, 0.005), Vec3(0.0), 0.02, SurfaceContact::kAnyWay);
     EXPECT_TRUE(contact.active > 0 || contact.infeasible || contact.deferred) << along;
     // Measured 0.099 to 0.17 in a tick; 0 where the plane was divided by nothing.

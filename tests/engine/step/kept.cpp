@@ -23,7 +23,7 @@ class Twins {
     forgets_.inner().surface->forget();
     const std::int64_t visited = keeps_.inner().surface->candidates_visited();
     const StepOutput a = step(keeps_, input), b = step(forgets_, input);
-    beyond_budget_ += keeps_.inner().surface->candidates_visited() - visited > SurfaceContact::kMostCandidates;
+    beyond_budget_ += keeps_.inner().surface->candidates_visited() - visited > SurfaceContact::kExploring.candidates;
     deferred_ += a.deferred;
     return a.proxy_mm == b.proxy_mm && a.force_n == b.force_n && a.deferred == b.deferred &&
            keeps_.inner().surface->cut_surface().unresolved_parts() == forgets_.inner().surface->cut_surface().unresolved_parts();

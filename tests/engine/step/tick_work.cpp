@@ -69,7 +69,7 @@ TEST(TickWork, a_dense_cavity_costs_a_tick_no_more_than_its_budget) {
   EXPECT_LE(most.resolved, 32u);
   // Measured 966: a ball that leaves its own sweep needs the cells about it at once, and again once it has carved.
   EXPECT_LE(most.made, 1000u);
-  EXPECT_LE(most.visited, 2 * SurfaceContact::kMostCandidates);
+  EXPECT_LE(most.visited, 2 * SurfaceContact::kExploring.candidates);
   EXPECT_LT(worst, 500.0) << "in tick " << worst_at;
 }
 
@@ -87,6 +87,28 @@ TEST(TickWork, a_wide_balls_sweep_is_carved_well_before_the_next_one_is_queued) 
   }
   EXPECT_GT(cutting, 6000);
   EXPECT_LT(waiting, cutting / 3);  // measured 1554 of 8000; 4934 at 1 + front / 16
+}
+
+TEST(TickWork, a_head_that_mills_at_a_hands_pace_costs_a_tick_a_short_search_and_defers_seldom) {
+  auto scene = std::make_shared<Scene>(*work_scene());
+  scene->burs[0].head = flat_head(kWorkRadiusMm, 0.35, 1.0).value();
+  StepState state(scene);
+  step(state, input_at({0.0, 0.0, 2.6}));
+  approach(state, {0.0, 0.0, 2.6}, {0.0, 0.0, 2.1});
+  std::int64_t most = 0, deferred = 0;
+  constexpr int kMilling = 24000;
+  for (int k = 0; k < kMilling; ++k) {
+    // 5 mm/s over 1.6 mm, 0.05 mm of tremor at 9 to 11 Hz, a layer of 0.06 mm a second.
+    const double across = std::fmod(0.005 * k, 3.2);
+    const Vec3 tremor(std::sin(0.057 * k), std::sin(0.063 * k + 1.0), std::sin(0.069 * k + 2.0));
+    const Vec3 at = Vec3(across < 1.6 ? across - 0.8 : 2.4 - across, 0.6 * std::sin(0.001 * k), 1.9 - 0.00006 * k) + 0.05 * tremor;
+    const std::int64_t before = work_of(state).visited;
+    const StepOutput out = step(state, input_at(at, CutButton::pressed));
+    most = std::max(most, work_of(state).visited - before);
+    deferred += out.deferred ? 1 : 0;
+  }
+  EXPECT_LE(most, 18000);  // measured 15,564; 39,140 with the passes of a fast stroke
+  EXPECT_LT(deferred, kMilling / 100);  // measured 185: such a tick cuts nothing
 }
 
 TEST(TickWork, a_rim_in_the_cavity_that_it_has_milled_costs_a_tick_little_more_and_defers_seldom) {
