@@ -220,7 +220,7 @@ LatencyRow measure_latency(const std::string& name, Load load, double seconds) {
 
 std::string latency_json(const std::vector<LatencyRow>& rows) {
   nlohmann::ordered_json out;
-  out["commit"] = commit_of_tree();
+  out["commit"] = commit_of_build();
   out["engine"] = kEngineVersion;
   out["machine"] = cpu_name();
   out["cores"] = std::thread::hardware_concurrency();

@@ -5,8 +5,8 @@
 
 namespace cusp::bench {
 
-/// Commit of the working tree this program was built from, read from its .git; "unknown" outside a repository.
-std::string commit_of_tree();
+/// Commit that this program was built from, with a "+" if files were changed since; "unknown" outside a repository.
+std::string commit_of_build();
 /// "model name" of /proc/cpuinfo; "unknown" where there is none.
 std::string cpu_name();
 

@@ -73,7 +73,7 @@ std::vector<std::string> split(const std::string& line) {
 
 }  // namespace
 
-Source this_source() { return {commit_of_tree(), engine::kEngineVersion, cpu_name()}; }
+Source this_source() { return {commit_of_build(), engine::kEngineVersion, cpu_name()}; }
 
 std::string source_line(const Source& source) {
   return "# commit " + source.commit + ", engine " + std::to_string(source.engine_version) + ", machine " + source.machine + '\n';

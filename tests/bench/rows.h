@@ -280,7 +280,7 @@ void for_each_field(R& row, Visit&& visit) {
 
 /// What measured the rows of a report.
 struct Source {
-  std::string commit;      // of the tree; "unknown" outside a repository
+  std::string commit;      // commit_of_build()
   int engine_version = 0;  // kEngineVersion; 0 if unknown
   std::string machine;     // the CPU's name
   friend bool operator==(const Source&, const Source&) = default;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/scene/scene.h"
+#include "tests/bench/machine.h"
 #include "tests/bench/program.h"
 #include "tests/bench/tick_times.h"
 
@@ -50,6 +51,14 @@ void expect_equal(const Report& a, const Report& b) {
     for_each_field(b.rows[i], text(right));
     EXPECT_EQ(left, right);
   }
+}
+
+TEST(Rows, NameTheCommitThatTheProgramWasBuiltFrom) {
+  const std::string commit = commit_of_build();
+  if (commit == "unknown") GTEST_SKIP() << "built outside a repository";
+  EXPECT_EQ(commit.find_first_not_of("0123456789abcdef"), commit.ends_with('+') ? 40u : std::string::npos) << commit;
+  EXPECT_GE(commit.size(), 40u) << commit;
+  EXPECT_EQ(this_source().commit, commit);
 }
 
 TEST(Rows, NameCommitEngineVersionAndMachine) {

@@ -48,6 +48,11 @@ class Committed(unittest.TestCase):
         done = subprocess.run([sys.executable, HERE / "draw.py", RESULTS, "--readme", README, "--check"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_tables_are_of_a_commit_not_of_files_changed_since(self):
+        for name, one in self.tables.items():
+            with self.subTest(name):
+                self.assertRegex(one.commit, "^[0-9a-f]{40}$")
+
     def test_check_names_a_table_that_differs_and_a_chart_that_is_not_there(self):
         with tempfile.TemporaryDirectory() as folder:
             same, other, gone = (pathlib.Path(folder) / name for name in ("a.md", "b.md", "c.svg"))

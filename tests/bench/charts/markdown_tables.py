@@ -215,5 +215,5 @@ def figures(tables):
             ("`removal`: drilling speed error, %, worst", lambda m: small(worst(resolved(cut, "speed", m), "error_percent"))),
             ("`removal`: cutting tick, largest bur, p99, µs", lambda m: small(worst(resolved(cut, "tick", m), "tick_us_p99")))):
         rows.append([what, cell("surface"), cell("occupancy")])
-    source = ", ".join(f"{name} {tables[name].engine} ({tables[name].commit[:10]})" for name in ("accuracy", "rate", "scale", "stability", "removal"))
+    source = ", ".join(f"{name} {tables[name].engine} ({tables[name].short_commit})" for name in ("accuracy", "rate", "scale", "stability", "removal"))
     return lines(["ball bur r 0.5 mm, voxels of 10/128 mm", LABELS["surface"], LABELS["occupancy"]], rows) + f"\n{rate.machine}; engine (commit): {source}.\n"

@@ -42,7 +42,11 @@ class Table:
 
     @property
     def version(self):
-        return f"engine {self.engine}, commit {self.commit[:10]}"
+        return f"engine {self.engine}, commit {self.short_commit}"
+
+    @property
+    def short_commit(self):
+        return self.commit[:10] + "+" * self.commit.endswith("+")
 
 
 def read(path):
