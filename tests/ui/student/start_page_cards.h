@@ -22,7 +22,7 @@ struct StartPageCards : ::testing::Test {
   StartPageCards() {
     Store& store = records.store();
     examiner = store.accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
-    const CohortId cohort = store.cohorts.create(examiner, "Year 3")->id;
+    cohort = store.cohorts.create(examiner, "Year 3")->id;
     EXPECT_TRUE(store.cohorts.add(examiner, cohort, lena.id));
     const Scenario scenario = *load_builtin("channel-1");
     const VersionId version = store.scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes)->id;
@@ -59,6 +59,7 @@ struct StartPageCards : ::testing::Test {
   QDateTime now{QDate(2026, 11, 20), QTime(10, 0)};
   Account lena = records.student("1", "Lena Brandt");
   Actor examiner;
+  CohortId cohort;
   Assignment exam;
   std::unique_ptr<StartPage> shown;
 };

@@ -11,7 +11,7 @@
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
-#include "tests/ui/desk_records.h"
+#include "tests/ui/student/start_page_cards.h"
 #include "ui/student/exercises_page.h"
 #include "ui/student/interrupted_card.h"
 #include "ui/student/start_page.h"
@@ -20,34 +20,14 @@
 namespace cusp::test {
 namespace {
 
-struct UnreadAssessments : ::testing::Test {
-  UnreadAssessments() {
-    Store& store = records.store();
-    examiner = store.accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
-    cohort = store.cohorts.create(examiner, "Year 3")->id;
-    EXPECT_TRUE(store.cohorts.add(examiner, cohort, lena.id));
-    const Scenario scenario = *load_builtin("channel-1");
-    const VersionId version = store.scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes)->id;
-    exam = *store.assignments.create(examiner, {.version = version, .cohort = cohort, .kind = SessionKind::assessment}, "4711");
-  }
+struct UnreadAssessments : StartPageCards {
   /// Of the band of a page made now; empty without one.
   QString message() {
-    shown = std::make_unique<StartPage>(records.store(), lena, pictures, now);
-    for (const Band* band : shown->findChildren<Band*>())
+    for (const Band* band : page()->findChildren<Band*>())
       if (band->isVisibleTo(shown.get())) return band->text();
     return {};
   }
   qsizetype cards() const { return shown->findChildren<AssessmentCard*>().size(); }
-
-  DeskRecords records;
-  QTemporaryDir cache;
-  ThumbnailCache pictures{cache.path().toStdString()};
-  QDateTime now{QDate(2026, 11, 20), QTime(10, 0)};
-  Account lena = records.student("1", "Lena Brandt");
-  Actor examiner;
-  CohortId cohort;
-  Assignment exam;
-  std::unique_ptr<StartPage> shown;
 };
 
 TEST_F(UnreadAssessments, are_not_taken_for_none) {
