@@ -18,9 +18,10 @@ QString percent(double share) { return format({100 * share, std::nullopt, u"%"_q
 
 }  // namespace
 
-void CriterionFiguresModel::set_rows(std::vector<CriterionFigures> rows, const Region& target) {
+void CriterionFiguresModel::set_rows(std::vector<CriterionFigures> rows, const Region& target, const TissueNames& tissues) {
   beginResetModel();
   target_ = target;
+  tissues_ = tissues;
   rows_ = std::move(rows);
   endResetModel();
 }
@@ -39,7 +40,7 @@ QVariant CriterionFiguresModel::data(const QModelIndex& index, int role) const {
   if (role == BoldRole) return index.column() == kShare;
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
-    case kName: return metric_name(c.id, &target_);
+    case kName: return metric_name(c.id, &target_, tissues_);
     case kShare: return percent(c.mean_share);
     case kFull: return format_share(c.full, c.attempts);
     case kAttempts: return format_number(c.attempts, 0);
@@ -70,9 +71,9 @@ CriteriaCard::CriteriaCard(QWidget* parent) : Card(CriteriaCard::tr("By criterio
   hide();
 }
 
-void CriteriaCard::show_figures(std::vector<CriterionFigures> figures, const Region& target) {
+void CriteriaCard::show_figures(std::vector<CriterionFigures> figures, const Region& target, const TissueNames& tissues) {
   table_->set_rows_shown(std::clamp(static_cast<int>(figures.size()), 1, kMostRows));
-  model_->set_rows(std::move(figures), target);
+  model_->set_rows(std::move(figures), target, tissues);
 }
 
 }  // namespace cusp::ui

@@ -7,6 +7,7 @@
 #include "scenarios/format/scenario.h"
 #include "storage/summary/history.h"
 #include "ui/modules.h"
+#include "ui/text/names.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
@@ -19,8 +20,8 @@ class CriterionFiguresModel : public QAbstractTableModel {
  public:
   enum Column { kName, kShare, kFull, kAttempts, kColumns };
   using QAbstractTableModel::QAbstractTableModel;
-  /// `target`: of the exercise, for the titles of several targets.
-  void set_rows(std::vector<CriterionFigures> rows, const Region& target);
+  /// `target`: of the exercise, for the titles of several targets. `tissues`: of its specimen, for its own tissues.
+  void set_rows(std::vector<CriterionFigures> rows, const Region& target, const TissueNames& tissues);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
@@ -29,6 +30,7 @@ class CriterionFiguresModel : public QAbstractTableModel {
  private:
   std::vector<CriterionFigures> rows_;
   Region target_;
+  TissueNames tissues_;
 };
 
 class CriteriaCard : public Card {
@@ -36,7 +38,7 @@ class CriteriaCard : public Card {
 
  public:
   explicit CriteriaCard(QWidget* parent = nullptr);
-  void show_figures(std::vector<CriterionFigures> figures, const Region& target);
+  void show_figures(std::vector<CriterionFigures> figures, const Region& target, const TissueNames& tissues);
   const CriterionFiguresModel& model() const { return *model_; }
 
  private:

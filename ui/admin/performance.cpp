@@ -58,8 +58,8 @@ Stored<ChartSeries> dots_of(Store& store, const Actor& reader, HistoryFilter new
 
 }  // namespace
 
-Performance::Performance(Store& store, const Actor& reader, const Ports& ports, QWidget* parent)
-    : QWidget(parent), store_(store), reader_(reader), ports_(ports), model_(new AttemptsModel(this)), sorted_(new Sorted(this)) {
+Performance::Performance(Store& store, const Actor& reader, const Ports& ports, std::filesystem::path volumes, QWidget* parent)
+    : QWidget(parent), store_(store), reader_(reader), ports_(ports), volumes_(std::move(volumes)), model_(new AttemptsModel(this)), sorted_(new Sorted(this)) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   QVBoxLayout* body = nullptr;
@@ -216,17 +216,21 @@ void Performance::read() {
     criteria_->hide();
     return show_failure(by_criterion.error());
   }
-  criteria_->show_figures(*by_criterion, target_of(shown));
+  const std::optional<Exercise> exercise = exercise_of(shown);
+  if (!exercise) return criteria_->show_figures(*by_criterion, {}, {});
+  const Scenario& scenario = exercise->scenario;
+  const auto folder = exercise_folder(store_, *exercise, volumes_);
+  criteria_->show_figures(*by_criterion, scenario.target, folder ? tissue_names_in(*folder, scenario) : TissueNames());
 }
 
-Region Performance::target_of(const HistoryFilter& shown) {
+std::optional<Exercise> Performance::exercise_of(const HistoryFilter& shown) {
   const auto versions = store_.scenarios.versions(*shown.scenario);
-  if (!versions) return {};
+  if (!versions) return std::nullopt;
   for (const ScenarioVersion& v : *versions | std::views::reverse) {
     if (shown.version_number && v.number != *shown.version_number) continue;
-    if (auto exercise = load_exercise(store_, v.id)) return std::move(exercise->scenario.target);
+    if (auto exercise = load_exercise(store_, v.id)) return std::move(*exercise);
   }
-  return {};
+  return std::nullopt;
 }
 
 void Performance::fetch_for_order(int column, Qt::SortOrder order) {

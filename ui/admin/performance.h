@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -27,6 +28,7 @@ class Chart;
 class Card;
 class CriteriaCard;
 class ExportRun;
+struct Exercise;
 class AttemptsModel;
 class Table;
 
@@ -34,7 +36,8 @@ class Performance : public QWidget, public Rereads, public AtWork {
   Q_OBJECT
 
  public:
-  Performance(Store& store, const Actor& reader, const Ports& ports, QWidget* parent = nullptr);
+  /// `volumes`: folder for the volumes of exercises (exercise_folder()).
+  Performance(Store& store, const Actor& reader, const Ports& ports, std::filesystem::path volumes = {}, QWidget* parent = nullptr);
 
   /// Without attempts of scripted operators, unless they are chosen as who drilled or as the device.
   HistoryFilter filter() const;
@@ -86,8 +89,8 @@ class Performance : public QWidget, public Rereads, public AtWork {
   /// Fetches the rest of the attempts for another order than the newest first; with too many, or if a page fails, it keeps that order
   /// and says so.
   void fetch_for_order(int column, Qt::SortOrder order);
-  /// The target of the filter's exercise in its version, else in its newest one that can be read; for the titles of several.
-  Region target_of(const HistoryFilter& shown);
+  /// The filter's exercise in its version, else in its newest one that can be read. nullopt: in none.
+  std::optional<Exercise> exercise_of(const HistoryFilter& shown);
   void show_failure(const StorageFailure& failure);
   void export_to(const QString& path, const HistoryFilter& shown);
   void show_no_figures();
@@ -100,6 +103,7 @@ class Performance : public QWidget, public Rereads, public AtWork {
   Store& store_;
   Actor reader_;
   const Ports& ports_;
+  std::filesystem::path volumes_;
   AttemptsModel* model_;
   QSortFilterProxyModel* sorted_;
   Table* table_ = nullptr;

@@ -202,7 +202,7 @@ void Desktop::add_school_entries(QVector<NavEntry>& list) {
   }
   if (may(role, Action::see_all_results)) {
     list += {u"performance"_qs, tr("Performance"), u"chart"_qs, [this]() -> QWidget* {
-               auto* page = new Performance(*store_, account_->actor(), ports_);
+               auto* page = new Performance(*store_, account_->actor(), ports_, volume_folder());
                connect(page, &Performance::report_wanted, this, &Desktop::open_report);
                connect(page, &Performance::pack_wanted, this, &Desktop::open_pack);
                return page;

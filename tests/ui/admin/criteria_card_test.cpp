@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QTemporaryDir>
+#include <filesystem>
 
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/admin/admin_pages.h"
+#include "tests/ui/published_block.h"
 #include "ui/admin/criteria_card.h"
 #include "ui/admin/performance.h"
 #include "ui/text/grade_text.h"
@@ -16,7 +19,7 @@ namespace {
 
 TEST(CriteriaCard, with_full_points_in_all_attempts_but_one_are_not_100_percent) {
   CriterionFiguresModel model;
-  model.set_rows({{.id = "floor_depth_max", .attempts = 400, .full = 399, .mean_share = 0.99}, {.id = "target_removed", .attempts = 400, .full = 1, .mean_share = 0.5}}, {});
+  model.set_rows({{.id = "floor_depth_max", .attempts = 400, .full = 399, .mean_share = 0.99}, {.id = "target_removed", .attempts = 400, .full = 1, .mean_share = 0.5}}, {}, {});
   const auto full = [&](int row) { return plain_text(model.index(row, CriterionFiguresModel::kFull).data().toString()); };
   EXPECT_EQ(full(0), "99 %");
   EXPECT_EQ(full(1), "1 %");
@@ -51,6 +54,23 @@ TEST_F(AdminPages, performance_names_a_criterion_of_one_of_several_targets_by_th
   EXPECT_EQ(title, QStringLiteral("mesial cavity"));
   for (int row = 0; row < model.rowCount(); ++row)
     EXPECT_TRUE(model.index(row, CriterionFiguresModel::kName).data().toString().contains(title));
+}
+
+TEST_F(AdminPages, performance_names_a_tissue_among_the_criteria_as_the_volume_does) {
+  const QTemporaryDir cache;
+  const std::filesystem::path folder = cache.path().toStdString();
+  Grade grade = sample_grade(60);
+  grade.criteria.resize(1);
+  grade.criteria[0].id = "removed_16";
+  records.graded_attempt(records.student("1", "Lena Brandt"), "channel-1", grade, 100);
+  const Actor author = records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
+  ASSERT_NO_FATAL_FAILURE(publish_named_block(records.store(), author, folder));
+  Performance page(records.store(), records.administrator().actor(), ports, folder);
+  page.show();
+  page.exercise()->setCurrentIndex(1);
+  const CriterionFiguresModel& model = page.criteria()->model();
+  ASSERT_EQ(model.rowCount(), 1);
+  EXPECT_EQ(model.index(0, CriterionFiguresModel::kName).data().toString().toStdString(), "pulp stone removed");
 }
 
 }  // namespace
