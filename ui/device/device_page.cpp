@@ -209,6 +209,8 @@ void DevicePage::hideEvent(QHideEvent* event) {
 
 void DevicePage::look() {
   Inner& in = *inner_;
+  // A row that is made anew loses the press on it; a screen reader's lasts 100 ms.
+  if (std::ranges::any_of(in.group->buttons(), &QAbstractButton::isDown)) return;
   if (in.watch && in.watched_port != in.device.inverse().service.port) in.begin_watch();
   if (!in.watch || !in.watch->changed()) return;
   auto now = in.watch->list();

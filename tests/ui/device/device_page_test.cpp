@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
 #include <QAccessible>
 #include <QComboBox>
@@ -9,6 +10,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -130,6 +132,24 @@ TEST(DevicePage, a_device_is_chosen_by_a_screen_reader_as_by_a_click) {
   EXPECT_EQ(desk.choice().kind, "emulated-falcon");
   EXPECT_EQ(chosen.count(), 1);
   EXPECT_TRUE(page->falcon()->isVisibleTo(page.get()));
+}
+
+TEST(DevicePage, a_press_is_not_lost_to_a_device_that_comes_meanwhile) {
+  Desk desk;
+  auto page = desk.page(Role::instructor);
+  const auto rows = page->findChildren<QRadioButton*>();
+  const auto other = std::ranges::find_if(rows, [](const QRadioButton* row) { return !row->isChecked(); });
+  ASSERT_NE(other, rows.end());
+  const QPointer<QRadioButton> pressed = *other;
+  pressed->setDown(true);
+  desk.bus.hardware = {{.kind = "falcon", .name = "FT000001", .port = "1-1"}};
+  desk.bus.news = true;
+  page->look();
+  ASSERT_FALSE(pressed.isNull());
+  pressed->click();
+  EXPECT_EQ(desk.choice().kind, "emulated-falcon");
+  page->look();
+  EXPECT_EQ(page->listed().size(), 3);
 }
 
 TEST(DevicePage, one_that_comes_or_goes_is_listed_without_a_click) {
