@@ -79,8 +79,8 @@ void ClosingWindow::look() {
                      : tr("Work in the background has not ended: something is computed, or a drive or a device does not answer. Nothing is "
                           "lost if you do not wait."));
   set_kind(leave_, now == DroppedWork::change ? "erase" : "primary");
+  resize(width(), layout()->totalHeightForWidth(width()));  // adjustSize() leaves a gap about wrapped text
   if (!isVisible()) return;
-  adjustSize();
   announce(this, text());
 }
 

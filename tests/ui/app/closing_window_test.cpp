@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QLayout>
 #include <QPushButton>
 #include <QThreadPool>
 #include <QTimer>
@@ -71,6 +72,7 @@ TEST_F(ClosingProgram, names_what_is_lost_while_something_is_written_and_waits_u
   bool stays = false;
   EXPECT_EQ(wait([this, &stays] {
               stays = !window.close() && window.isVisible();
+              EXPECT_EQ(window.height(), window.layout()->totalHeightForWidth(window.width())) << "no gap about the text";
               gate->open();
             }),
             ClosingWindow::End::work_over);
