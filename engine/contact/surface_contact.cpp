@@ -229,7 +229,7 @@ bool SurfaceContact::push_out(const Volume& volume, const Scene& scene, std::uin
     for (std::size_t i = 0; i < count_; ++i)
       if (known_[i] == Known::unmade) make(volume, tool, i);
   }
-  double within = kFirst;  // a head's constraints are built for this distance about y
+  double within = kFirst;  // a head's constraints are built for this distance about y; a pose further off asks for all
   Vec3 y = pose;
   for (int pass = 0; pass < 8; ++pass) {
     planes_.clear();

@@ -76,7 +76,8 @@ class SurfaceContact {
   static constexpr Budget kExploring{10000, 8};
   /// A deferred tick cuts nothing: at 200 mm/s 16 passes leave 0.2 mm uncut (`cusp-bench removal --full`).
   static constexpr Budget kCutting{10000, 48};
-  /// Of a head that is no ball and cuts while the device moves slowly: the next tick goes on where it stops.
+  /// Of a head that is no ball and cuts while the device moves slowly: the next tick goes on where it stops. Of 36 milling burs'
+  /// ticks it defers 0.03 percent; 4,000 candidates and 12 passes defer 0.07, and are no faster.
   static constexpr Budget kCuttingSlowly{5000, 16};
   /// The same where its proxy outruns the device, or has still to settle on what was carved.
   static constexpr Budget kShort{2500, 4};

@@ -59,7 +59,8 @@ Stored<ChartSeries> dots_of(Store& store, const Actor& reader, HistoryFilter new
 }  // namespace
 
 Performance::Performance(Store& store, const Actor& reader, const Ports& ports, std::filesystem::path volumes, QWidget* parent)
-    : QWidget(parent), store_(store), reader_(reader), ports_(ports), volumes_(std::move(volumes)), model_(new AttemptsModel(this)), sorted_(new Sorted(this)) {
+    : QWidget(parent), store_(store), reader_(reader), ports_(ports), volumes_(std::move(volumes)),
+      model_(new AttemptsModel(this)), sorted_(new Sorted(this)) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   QVBoxLayout* body = nullptr;
