@@ -247,6 +247,14 @@ std::size_t SurfaceContact::add_ball_constraints(const Volume& volume, const Too
   return looked;
 }
 
+/// Of a head at `at` that is no ball: its least height over the plane of a surface's point. Neither that point nor that plane
+/// holds off what stands higher than the slack.
+inline double SurfaceContact::height_of_head(const Tool& tool, const Candidate& c, Vec3 at) noexcept {
+  const double along = glm::dot(c.normal, tool.axis);
+  const Vec3 sideways = c.normal - tool.axis * along;
+  return glm::dot(c.normal, at) - c.level + tool.thin(c.field) - tool.bur->head.extent({-along, length_of(sideways)});
+}
+
 /// Those of a head that is no ball.
 std::size_t SurfaceContact::add_head_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at,
                                                  double slack_mm) noexcept {
@@ -264,11 +272,13 @@ std::size_t SurfaceContact::add_head_constraints(const Volume& volume, const Too
     if (sources_[i].kind == Kind::surface && !may_be_surface) return;
     known_of(volume, tool, i);
     ++looked;
-    const Vec3 point = candidates_[i].point;
+    const Candidate& c = candidates_[i];
+    if (c.kind == Kind::surface && height_of_head(tool, c, at) > slack_mm + kRounding) return;
+    const Vec3 point = c.point;
     const ByHead place = by_head(*tool.bur, tool.axis, point - at);
     if (place.distance > far + most) return;
     if (place.distance > far - most && head_distance(*tool.bur, tool.axis, point - centre) > far) return;
-    constrain(i, plane_of_head(tool, candidates_[i], place, at, slack_mm));
+    constrain(i, plane_of_head(tool, c, place, at, slack_mm));
   });
   return looked;
 }

@@ -262,6 +262,7 @@ class SurfaceContact {
   bool rebuild_constraints(const Tool& tool, Vec3 at, double slack_mm) noexcept;
   Known known_of(const Volume& volume, const Tool& tool, std::size_t i) noexcept;
   std::size_t add_ball_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
+  static double height_of_head(const Tool& tool, const Candidate& c, Vec3 at) noexcept;
   std::size_t add_head_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
   std::size_t add_shank_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
   struct EdgePair;

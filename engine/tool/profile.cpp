@@ -200,6 +200,18 @@ bool Profile::rim(OnHalf at, double far, OnHalf& out) const noexcept {
   return any;
 }
 
+double Profile::extent(OnHalf direction) const noexcept {
+  double most = dot(piece(0).from, direction);
+  for (int i = 0; i < count_; ++i) {
+    const OutlinePiece& p = piece(i);
+    const Side& side = sides_[static_cast<std::size_t>(i)];
+    const bool on_arc = p.radius > 0.0 && between(side.first, direction, side.last);
+    const double far = on_arc ? dot(p.centre, direction) + p.radius : dot(p.to, direction);
+    most = far > most ? far : most;
+  }
+  return most;
+}
+
 OnHalf Profile::support(OnHalf direction, OnHalf near) const noexcept {
   constexpr double kLevel = 1e-9;  // a point must be further than another by more than this: sine, and mm
   OnHalf best = piece(0).from;

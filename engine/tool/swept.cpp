@@ -91,15 +91,6 @@ Vec3 head_furthest(const Bur& bur, Vec3 axis, Vec3 direction) noexcept {
   return in_space(axis, way, at);
 }
 
-ByHead by_head(const Bur& bur, Vec3 axis, Vec3 from_pivot) noexcept {
-  ByHead out;
-  out.at.t = glm::dot(from_pivot, axis);
-  out.off = from_pivot - axis * out.at.t;
-  out.at.rho = std::sqrt(glm::dot(out.off, out.off));
-  out.distance = bur.head.distance(out.at, out.gradient);
-  return out;
-}
-
 Vec3 gradient_in_space(const ByHead& place, Vec3 axis) noexcept { return in_space(axis, {place.at, place.off}, place.gradient); }
 
 double head_distance(const Bur& bur, Vec3 axis, Vec3 from_pivot) noexcept {

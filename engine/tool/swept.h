@@ -2,6 +2,8 @@
 /// Lengths in mm, axes unit, from the head towards the shank. Any thread; wait-free. Only + - * / sqrt: the step uses it.
 #pragma once
 
+#include <cmath>
+
 #include "engine/tool/bur.h"
 
 namespace cusp::engine {
@@ -21,7 +23,14 @@ struct ByHead {
   double distance = 0.0;
   OnHalf gradient;
 };
-ByHead by_head(const Bur& bur, Vec3 axis, Vec3 from_pivot) noexcept;
+inline ByHead by_head(const Bur& bur, Vec3 axis, Vec3 from_pivot) noexcept {
+  ByHead out;
+  out.at.t = glm::dot(from_pivot, axis);
+  out.off = from_pivot - axis * out.at.t;
+  out.at.rho = std::sqrt(glm::dot(out.off, out.off));
+  out.distance = bur.head.distance(out.at, out.gradient);
+  return out;
+}
 /// Of a place's distance, as head_distance() gives it.
 Vec3 gradient_in_space(const ByHead& place, Vec3 axis) noexcept;
 
