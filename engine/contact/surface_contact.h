@@ -7,14 +7,14 @@
 
 #include <vector>
 
-#include "engine/contact/cavity_walls.h"
+#include "engine/contact/cavity/cavity_walls.h"
+#include "engine/contact/cavity/cut_memory.h"
 #include "engine/contact/contact.h"
-#include "engine/contact/cut_memory.h"
-#include "engine/contact/cut_surface.h"
-#include "engine/contact/kept_planes.h"
-#include "engine/contact/plane_search.h"
-#include "engine/contact/points_box.h"
-#include "engine/contact/seen_voxels.h"
+#include "engine/contact/features/cut_surface.h"
+#include "engine/contact/features/points_box.h"
+#include "engine/contact/features/seen_voxels.h"
+#include "engine/contact/solver/kept_planes.h"
+#include "engine/contact/solver/plane_search.h"
 #include "engine/scene/scene.h"
 #include "engine/tool/swept.h"
 #include "engine/volume/cell_field.h"

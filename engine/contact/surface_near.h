@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/contact/head_band.h"
-#include "engine/contact/near_points.h"
+#include "engine/contact/features/head_band.h"
+#include "engine/contact/features/near_points.h"
 #include "engine/contact/surface_contact.h"
 
 namespace cusp::engine {

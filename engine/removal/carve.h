@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "engine/contact/sweeps.h"
+#include "engine/contact/cavity/sweeps.h"
 #include "engine/tool/bur.h"
 #include "engine/volume/changed_voxels.h"
 #include "engine/volume/volume.h"

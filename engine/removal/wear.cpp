@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "engine/contact/plane_search.h"
+#include "engine/contact/solver/plane_search.h"
 #include "engine/tool/swept.h"
 #include "engine/volume/cell_field.h"
 

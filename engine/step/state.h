@@ -5,9 +5,9 @@
 #include <array>
 #include <memory>
 
-#include "engine/contact/cut_memory.h"
+#include "engine/contact/cavity/cut_memory.h"
+#include "engine/contact/cavity/sweeps.h"
 #include "engine/contact/surface_contact.h"
-#include "engine/contact/sweeps.h"
 #include "engine/removal/carve.h"
 #include "engine/removal/wear.h"
 #include "engine/step/guard.h"

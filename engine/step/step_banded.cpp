@@ -1,7 +1,7 @@
 // One tick of the penalty and of the gradient proxy: contact, the cut pose, contact again in the cut field. Removal is
 // that of the surface method, but carves every tick and has no memory of past poses.
-#include "engine/contact/gradient_proxy.h"
-#include "engine/contact/penalty.h"
+#include "engine/contact/methods/gradient_proxy.h"
+#include "engine/contact/methods/penalty.h"
 #include "engine/removal/carve.h"
 #include "engine/step/methods.h"
 #include "engine/step/state.h"

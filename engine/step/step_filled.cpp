@@ -1,6 +1,6 @@
 // One tick of a method on the filled reading: proxy, eq. (1) to (3), eq. (4) and (5) per time.
-#include "engine/contact/occupancy_proxy.h"
-#include "engine/contact/ray_proxy.h"
+#include "engine/contact/methods/occupancy_proxy.h"
+#include "engine/contact/methods/ray_proxy.h"
 #include "engine/removal/voxel_wear.h"
 #include "engine/removal/wear.h"
 #include "engine/step/methods.h"

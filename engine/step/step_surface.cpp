@@ -1,7 +1,7 @@
 // One tick of the surface method: contact, the cut pose, contact again with the cut stored and not yet carved.
 #include <algorithm>
 
-#include "engine/contact/sweeps.h"
+#include "engine/contact/cavity/sweeps.h"
 #include "engine/removal/carve.h"
 #include "engine/removal/wear.h"
 #include "engine/step/methods.h"

@@ -39,6 +39,7 @@ std::vector<std::string_view> headers_in(std::string_view text, std::string_view
 /// Each folder includes only folders before it: an order of all folders is a proof that they form a DAG.
 const std::map<std::string, std::vector<std::string>> kOrders = {
     {"engine", {"base", "volume", "tool", "scene", "contact", "removal", "step", "loop", "mirror", "lab"}},
+    {"engine/contact", {"methods", "solver", "cavity", "features", "."}},
     {"device", {"pointer", "scripted", "falcon", "hid", "inverse", "."}},
     {"scenarios",
      {"tissues", "burs", "teeth", "format", "landmarks", "shapes", "grading", "metrics", "operators", "import", "blocks", "specimens", "library",

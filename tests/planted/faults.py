@@ -31,7 +31,7 @@ FAULTS = [
     fault("heap in the tick", "release", "no_heap_no_lock", r"counts\.allocations",
           (TICK, STEPS, "  static std::vector<StepInput> planted;\n  planted.push_back(input);\n" + STEPS)),
     fault("heap in a rival's contact", "release", "no_heap_no_lock", r"counts\.allocations",
-          ("engine/contact/penalty.cpp", "  std::array<double, kTissueCodes> of{};", "  std::vector<double> of = std::vector<double>(kTissueCodes);")),
+          ("engine/contact/methods/penalty.cpp", "  std::array<double, kTissueCodes> of{};", "  std::vector<double> of = std::vector<double>(kTissueCodes);")),
     fault("lock in the tick", "release", "no_heap_no_lock", r"counts\.locks",
           (TICK, "#include <utility>\n", "#include <mutex>\n#include <utility>\n"),
           (TICK, STEPS, "  static std::mutex planted;\n  const std::lock_guard hold(planted);\n" + STEPS)),

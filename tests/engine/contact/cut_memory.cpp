@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "engine/contact/cells_near.h"
-#include "engine/contact/cut_memory.h"
+#include "engine/contact/cavity/cut_memory.h"
+#include "engine/contact/features/cells_near.h"
 #include "tests/full_run.h"
 #include "tests/modules.h"
 

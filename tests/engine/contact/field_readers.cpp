@@ -1,5 +1,5 @@
 // FieldReaders: against the definition of what a cell's field reads, cell by cell.
-#include "engine/contact/field_readers.h"
+#include "engine/contact/features/field_readers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The band of a head against its exact distance: what it leaves out cannot hold the head off.
-#include "engine/contact/head_band.h"
+#include "engine/contact/features/head_band.h"
 
 #include <gtest/gtest.h>
 

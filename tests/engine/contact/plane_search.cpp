@@ -1,5 +1,5 @@
 // The search for the closest admissible point where it is ill conditioned: a bur that all sides hold, pushed far.
-#include "engine/contact/plane_search.h"
+#include "engine/contact/solver/plane_search.h"
 #include "tests/modules.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SeenVoxels: a voxel is new once a pass, and where the room ends each time.
-#include "engine/contact/seen_voxels.h"
+#include "engine/contact/features/seen_voxels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The store of balls' sweeps, and what a cell makes of those that its voxels name, against the swept balls themselves.
-#include "engine/contact/sweeps.h"
+#include "engine/contact/cavity/sweeps.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "engine/contact/cavity_walls.h"
+#include "engine/contact/cavity/cavity_walls.h"
 #include "engine/removal/carve.h"
 #include "tests/engine/step/scenes.h"
 #include "tests/modules.h"

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "engine/contact/plane_search.h"
+#include "engine/contact/solver/plane_search.h"
 #include "tests/engine/step/cut_along.h"
 #include "tests/engine/step/scenes.h"
 #include "tests/modules.h"

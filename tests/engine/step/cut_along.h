@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/contact/tool_overlap.h"
+#include "engine/contact/methods/tool_overlap.h"
 #include "engine/removal/carve.h"
 #include "engine/step/state.h"
 #include "engine/tool/voxel_tool.h"

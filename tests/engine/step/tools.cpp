@@ -1,9 +1,9 @@
 // What the contact methods are made of: the voxelised bur by rows, its point shell, the plain field.
 #include <gtest/gtest.h>
 
-#include "engine/contact/point_shell.h"
-#include "engine/contact/tool_overlap.h"
-#include "engine/contact/trilinear_field.h"
+#include "engine/contact/methods/point_shell.h"
+#include "engine/contact/methods/tool_overlap.h"
+#include "engine/contact/methods/trilinear_field.h"
 #include "engine/removal/carve.h"
 #include "tests/engine/step/scenes.h"
 #include "tests/modules.h"

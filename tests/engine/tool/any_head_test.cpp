@@ -2,8 +2,8 @@
 // and drills at the tissue's speed.
 #include <gtest/gtest.h>
 
-#include "engine/contact/point_shell.h"
-#include "engine/contact/trilinear_field.h"
+#include "engine/contact/methods/point_shell.h"
+#include "engine/contact/methods/trilinear_field.h"
 #include "tests/engine/step/scenes.h"
 #include "tests/engine/tool/heads.h"
 #include "tests/modules.h"
