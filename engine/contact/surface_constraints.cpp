@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kNoWay2 = 1e-18;    // mm^2: a place nearer to a point or an edge has no direction from it
 constexpr double kRounding = 1e-9;   // mm: far more than a distance to a head is rounded by
+constexpr double kNormalRounding = 1e-6;  // mm: a single-precision normal is 1e-7 off unit, so a head of 9 mm by 9e-7
 constexpr double kMostShift = 0.06;  // mm: near candidates are reused within this of the last full build
 constexpr double kLeavesTangent = 0.25;  // voxels that a cell's edge leaves its tangent by at most
 constexpr double kEdgeClose = 1e-4;      // voxels: leaves its distance off by 1e-8, the normal by 2e-6 degrees
@@ -273,7 +274,7 @@ std::size_t SurfaceContact::add_head_constraints(const Volume& volume, const Too
     known_of(volume, tool, i);
     ++looked;
     const Candidate& c = candidates_[i];
-    if (c.kind == Kind::surface && height_of_head(tool, c, at) > slack_mm + kRounding) return;
+    if (c.kind == Kind::surface && height_of_head(tool, c, at) > slack_mm + kNormalRounding) return;
     const Vec3 point = c.point;
     const ByHead place = by_head(*tool.bur, tool.axis, point - at);
     if (place.distance > far + most) return;
