@@ -280,7 +280,6 @@ TEST(DevicePage, the_trim_is_for_staff_and_for_a_real_falcon) {
   EXPECT_TRUE(desk.page(Role::instructor)->findChild<TrimForm*>()->parentWidget()->isHidden());
 }
 
-
 TEST(DevicePage, a_test_goes_on_while_another_device_comes) {
   Desk desk;
   DeviceSettings(desk.settings.file()).choose("emulated-falcon", {});
