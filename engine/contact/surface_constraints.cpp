@@ -262,7 +262,7 @@ std::size_t SurfaceContact::add_head_constraints(const Volume& volume, const Too
   // A rim stands on the plane of a point that is beside it.
   const double beside = kPlaneReach * voxel_mm_;
   HeadBand band(tool.bur->head, tool.axis, slack_mm, beside, 1.0 / voxel_mm_);
-  band.at = Vec3f((at - gathered_.centre) / voxel_mm_);
+  band.at = VecLanes(Vec3f((at - gathered_.centre) / voxel_mm_));
   const double far = step + beside;
   // A distance to the head changes by no more than the head moves: few are reckoned at `centre` too.
   const Vec3 moved = at - centre;
@@ -299,7 +299,7 @@ std::size_t SurfaceContact::add_shank_constraints(const Volume& volume, const To
   shape.at = Vec3f((at - gathered_.centre) / voxel_mm_);
   const std::size_t from = ball_count_;
   std::size_t looked = 0;
-  for_inside(&place_x_[from], &place_y_[from], &place_z_[from], static_cast<int>(shank_count_), shape, [&](int k) {
+  for_inside(&place_x_[from], &place_y_[from], &place_z_[from], static_cast<int>(shank_count_), CylinderLanes(shape), [&](int k) {
     const std::size_t i = from + static_cast<std::size_t>(k);
     known_of(volume, tool, i);
     ++looked;

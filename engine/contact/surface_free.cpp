@@ -76,9 +76,10 @@ void SurfaceContact::nearest_to_head(const Volume& volume, const Tool& tool, Vec
   for (const double margin : {kCloseMm, kFreeMargin}) {
     bricks_within(volume, tool.axis, pose, head_within(tool, margin), [&](int brick, IVec3 at, const TwoCylinders& shape) {
       const Vec3 corner_mm = brick_corner(volume.grid(), at);
+      const CylinderLanes inside(shape);
       features(volume, brick, [&] { return CellsNear::cylinders(shape); },
                [&](const float* x, const float* y, const float* z, int count, auto&& feature) {
-                 for_inside(x, y, z, count, shape, [&](int i) {
+                 for_inside(x, y, z, count, inside, [&](int i) {
                    Vec3 gradient;
                    const double gap = head_distance(*tool.bur, tool.axis, corner_mm + voxel_mm_ * Vec3(x[i], y[i], z[i]) - pose, gradient);
                    if (gap >= nearest) return;

@@ -136,7 +136,7 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
     bricks_within(volume, tool.axis, centre, head_within(tool, margin_mm + beside_mm), [&](int brick, IVec3 at, const TwoCylinders& shape) {
       gather_from(volume, tool, centre, brick, at, ToolPart::head, [&](Vec3f local) { return CellsNear::cylinders(shape) | shank_cells(local); },
                   [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool, auto&& pass) {
-                    band.at = local;
+                    band.at = VecLanes(local);
                     for_band(x, y, z, count, band, [&](int i, bool) { pass(i); });
                   });
     });
@@ -177,9 +177,10 @@ SurfaceContact::Reach SurfaceContact::head_within(const Tool& tool, double margi
 void SurfaceContact::gather_shank(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm) noexcept {
   const bool edges = edges_;  // an edge of theirs is a point
   bricks_within(volume, tool.axis, centre, shank_within(tool, margin_mm), [&](int brick, IVec3 at, const TwoCylinders& shape) {
+    const CylinderLanes inside(shape);
     gather_from(volume, tool, centre, brick, at, ToolPart::shank, [&](Vec3f) { return CellsNear::cylinders(shape); },
                 [&](const float* x, const float* y, const float* z, int count, Vec3f, bool, auto&& pass) {
-                  for_inside(x, y, z, count, shape, pass);
+                  for_inside(x, y, z, count, inside, pass);
                 });
   });
   edges_ = edges;

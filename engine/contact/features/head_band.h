@@ -17,23 +17,24 @@ namespace cusp::engine {
 /// At an edge the point is within `rim2` of it.
 struct HeadBand {
   static constexpr double kSlack = 0.02;  // voxels: single precision is off by less, near the axis by 0.008
-  struct Line { float t, rho, level; };
-  struct Rim { float t, rho; };
+  struct Line { Lanes t, rho, level; };
+  struct Rim { Lanes t, rho; };
 
-  HeadBand(const Profile& head, Vec3 along, double slack_mm, double side_mm, double per_mm) noexcept : axis(along) {
+  HeadBand(const Profile& head, Vec3 along, double slack_mm, double side_mm, double per_mm) noexcept : axis(Vec3f(along)) {
     const auto bound = [&](double mm) { return static_cast<float>(mm * per_mm + kSlack); };
+    const auto spread = [](double v) { return all_lanes(static_cast<float>(v)); };
     const double bend = head.least_radius() + slack_mm;
     wide = bound(slack_mm + side_mm);
     narrow = bound(std::sqrt(bend * bend + side_mm * side_mm) - head.least_radius());
     const float reach = bound(side_mm + std::sqrt(slack_mm * slack_mm + side_mm * side_mm));
     rim2 = reach * reach;
     for (const SupportLine& l : head.support_lines())
-      line[count++] = {static_cast<float>(l.normal.t), static_cast<float>(l.normal.rho), static_cast<float>(l.level * per_mm)};
+      line[count++] = {spread(l.normal.t), spread(l.normal.rho), spread(l.level * per_mm)};
     for (int i = 0; i < head.size(); ++i)
-      if (head.edge(i)) rim[rims++] = {static_cast<float>(head.piece(i).to.t * per_mm), static_cast<float>(head.piece(i).to.rho * per_mm)};
+      if (head.edge(i)) rim[rims++] = {spread(head.piece(i).to.t * per_mm), spread(head.piece(i).to.rho * per_mm)};
   }
 
-  Vec3f at{0.0f}, axis{0.0f};  // of the pivot
+  VecLanes at, axis;  // of the pivot
   float wide = 0.0f, narrow = 0.0f, rim2 = 0.0f;  // of the distance to the head, and the squared one to an edge
   int count = 0, rims = 0;
   Line line[Profile::kMostPieces * Profile::kMostOfPiece];

@@ -11,6 +11,13 @@
 
 namespace cusp::engine {
 
+/// A vector, spread over all lanes.
+struct VecLanes {
+  VecLanes() = default;
+  explicit VecLanes(Vec3f v) noexcept : x(all_lanes(v.x)), y(all_lanes(v.y)), z(all_lanes(v.z)) {}
+  Lanes x{}, y{}, z{};
+};
+
 /// Places that are tested before the first of them is visited: visits between the tests would take their registers.
 inline constexpr int kHitBlock = 64;
 
@@ -33,8 +40,9 @@ inline void for_hits(int count, Four&& four, Visit&& visit) noexcept {
 template <class Visit>
 inline void for_near(const float* x, const float* y, const float* z, int count, Vec3f centre, float reach2,
                      Visit&& visit) noexcept {
+  const VecLanes at(centre);
   for_hits(count, [&](int i) {
-    const Lanes dx = load_lanes(x + i) - centre.x, dy = load_lanes(y + i) - centre.y, dz = load_lanes(z + i) - centre.z;
+    const Lanes dx = load_lanes(x + i) - at.x, dy = load_lanes(y + i) - at.y, dz = load_lanes(z + i) - at.z;
     return bits_of(dx * dx + dy * dy + dz * dz <= reach2);
   }, visit);
 }
@@ -46,10 +54,18 @@ struct TwoCylinders {
   float narrow2 = 0.0f, wide2 = 0.0f;  // squared radii
 };
 
+/// The same, spread over all lanes: a page of eight points is too short to spread them for it alone.
+struct CylinderLanes {
+  explicit CylinderLanes(const TwoCylinders& c) noexcept
+      : at(c.at), axis(c.axis), from(all_lanes(c.from)), wide_from(all_lanes(c.wide_from)), to(all_lanes(c.to)),
+        narrow2(all_lanes(c.narrow2)), wide2(all_lanes(c.wide2)) {}
+  VecLanes at, axis;
+  Lanes from, wide_from, to, narrow2, wide2;
+};
+
 /// Calls visit(i) in rising order for each point inside; the same promises as for_near.
 template <class Visit>
-inline void for_inside(const float* x, const float* y, const float* z, int count, TwoCylinders c,
-                       Visit&& visit) noexcept {
+inline void for_inside(const float* x, const float* y, const float* z, int count, const CylinderLanes& c, Visit&& visit) noexcept {
   for_hits(count, [&](int i) {
     const Lanes dx = load_lanes(x + i) - c.at.x, dy = load_lanes(y + i) - c.at.y, dz = load_lanes(z + i) - c.at.z;
     const Lanes t = dx * c.axis.x + dy * c.axis.y + dz * c.axis.z;

@@ -130,7 +130,7 @@ TEST(CellsNear, no_point_in_reach_lies_in_a_cell_that_is_left_out) {
       }
       left_out += !has(ball);
       const float x[8] = {p.x}, y[8] = {p.y}, z[8] = {p.z};
-      for_inside(x, y, z, 1, shape, [&](int) { ASSERT_TRUE(has(cylinders)) << i; });
+      for_inside(x, y, z, 1, CylinderLanes(shape), [&](int) { ASSERT_TRUE(has(cylinders)) << i; });
     }
   }
   EXPECT_GT(inside, 5000);
