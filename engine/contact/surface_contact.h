@@ -271,7 +271,7 @@ class SurfaceContact {
   Constraint bounded_plane_of(const Tool& tool, const Candidate& c, Vec3 at, double slack_mm) const noexcept;
   void constrain(std::size_t i, const Constraint& found) noexcept;
   void add_constraint(std::size_t i, const Constraint& constraint) noexcept;
-  CellsNear cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm) const noexcept;
+  CellsNear cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm, unsigned slices) const noexcept;
   bool raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept;
   void nearest_to_ball(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept;
   void nearest_to_head(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept;

@@ -35,7 +35,7 @@ void SurfaceContact::find_free(const Volume& volume, const Tool& tool, Vec3 pose
   // Changed cells near the bur are computed some a tick; until all are, searches answer.
   int budget = kCellsATick;
   free_bricks(volume, tool, pose, [&](int brick, IVec3, auto&& cells) {
-    if (budget >= 0 && volume.has_cut(brick)) budget = cut_.prepare(volume, brick, cells(), budget);
+    if (budget >= 0 && volume.has_cut(brick)) budget = cut_.prepare(volume, brick, cells(CellsNear::kAllSlices), budget);
   });
   if (budget < 0) return;
   // The plane of the nearest point, moved up to the highest point of every brick in reach of head, neck and shank, and
@@ -49,21 +49,21 @@ void SurfaceContact::find_free(const Volume& volume, const Tool& tool, Vec3 pose
 }
 
 /// Cells of a brick within the margin of a ball.
-CellsNear SurfaceContact::cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm) const noexcept {
+CellsNear SurfaceContact::cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm, unsigned slices) const noexcept {
   const double per_mm = 1.0 / voxel_mm_;
-  return CellsNear::ball(Vec3f((pose - corner_mm) * per_mm), static_cast<float>((tool.bur->radius_mm + kFreeMargin) * per_mm + kFloatSlack));
+  return CellsNear::ball(Vec3f((pose - corner_mm) * per_mm), static_cast<float>((tool.bur->radius_mm + kFreeMargin) * per_mm + kFloatSlack), slices);
 }
 
 /// Calls visit(brick, at, cells) for the bricks with points that may lie within kFreeMargin of the head, then of neck and shank.
-/// cells(): those of the brick that may hold one.
+/// cells(slices): those of the brick that may hold one.
 template <class Visit>
 void SurfaceContact::free_bricks(const Volume& volume, const Tool& tool, Vec3 pose, Visit&& visit) const noexcept {
   const auto in_cylinders = [&](int brick, IVec3 at, const TwoCylinders& shape) {
-    visit(brick, at, [&] { return CellsNear::cylinders(shape); });
+    visit(brick, at, [&](unsigned slices) { return CellsNear::cylinders(shape, slices); });
   };
   if (tool.ball())
     ball_bricks(volume, pose, tool.bur->radius_mm + kFreeMargin, [&](int brick, IVec3 at, double) {
-      visit(brick, at, [&] { return cells_free(tool, pose, brick_corner(volume.grid(), at)); });
+      visit(brick, at, [&](unsigned slices) { return cells_free(tool, pose, brick_corner(volume.grid(), at), slices); });
     });
   else
     bricks_within(volume, tool.axis, pose, head_within(tool, kFreeMargin), in_cylinders);
@@ -77,7 +77,7 @@ void SurfaceContact::nearest_to_head(const Volume& volume, const Tool& tool, Vec
     bricks_within(volume, tool.axis, pose, head_within(tool, margin), [&](int brick, IVec3 at, const TwoCylinders& shape) {
       const Vec3 corner_mm = brick_corner(volume.grid(), at);
       const CylinderLanes inside(shape);
-      features(volume, brick, [&] { return CellsNear::cylinders(shape); },
+      features(volume, brick, [&](unsigned slices) { return CellsNear::cylinders(shape, slices); },
                [&](const float* x, const float* y, const float* z, int count, auto&& feature) {
                  for_inside(x, y, z, count, inside, [&](int i) {
                    Vec3 gradient;
@@ -103,7 +103,7 @@ void SurfaceContact::nearest_to_ball(const Volume& volume, const Tool& tool, Vec
     ball_bricks(volume, pose, reach, [&](int brick, IVec3 at, double square) {
       if (square > nearest2) return;
       const Vec3 corner_mm = brick_corner(volume.grid(), at);
-      features(volume, brick, [&] { return cells_free(tool, pose, corner_mm); },
+      features(volume, brick, [&](unsigned slices) { return cells_free(tool, pose, corner_mm, slices); },
                [&](const float* x, const float* y, const float* z, int count, auto&& feature) {
                  const double wide = (nearest2 < 1e200 ? std::sqrt(nearest2) : reach) * per_mm + kFloatSlack;
                  int best = -1;

@@ -70,7 +70,7 @@ void SurfaceContact::make(const Volume& volume, const Tool& tool, std::size_t i)
   }
 }
 
-/// Candidates from a brick, not made yet. near(x, y, z, count, local, has_edges, pass): which places to take, in cells(local);
+/// Candidates from a brick, not made yet. near(x, y, z, count, local, has_edges, pass): which places to take, in cells(local, slices);
 /// local: the centre in voxels from the brick's corner; has_edges: edges may be among them.
 template <class Cells, class Choose>
 void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 centre, int brick, IVec3 at, ToolPart part,
@@ -105,7 +105,7 @@ void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 ce
     gather_near(base_points.x, base_points.y, base_points.z, base_points.count, nullptr);
     return;
   }
-  for (std::int32_t p = cut_.first(volume, brick, [&] { return cells(local); }); p >= 0; p = cut_.page(p).next) {
+  for (std::int32_t p = cut_.first(volume, brick, [&](unsigned slices) { return cells(local, slices); }); p >= 0; p = cut_.page(p).next) {
     const CutSurface::Page& page = cut_.page(p);
     const std::size_t before = count_;
     gather_near(page.x, page.y, page.z, page.count, &page);
@@ -126,15 +126,15 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
   const double per_mm = 1.0 / voxel_mm_;
   // With the shank's cells in the same bricks: what brings a brick's cells up to date moves its pages.
   TwoCylinders shank = shank_within(tool, margin_mm).cylinders(tool.axis, voxel_mm_);
-  const auto shank_cells = [&shank](Vec3f local) {
+  const auto shank_cells = [&shank](Vec3f local, unsigned slices) {
     shank.at = local;
-    return CellsNear::cylinders(shank);
+    return CellsNear::cylinders(shank, slices);
   };
   if (!tool.ball()) {
     const double beside_mm = kPlaneReach * voxel_mm_;
     HeadBand band(tool.bur->head, tool.axis, margin_mm, beside_mm, per_mm);
     bricks_within(volume, tool.axis, centre, head_within(tool, margin_mm + beside_mm), [&](int brick, IVec3 at, const TwoCylinders& shape) {
-      gather_from(volume, tool, centre, brick, at, ToolPart::head, [&](Vec3f local) { return CellsNear::cylinders(shape) | shank_cells(local); },
+      gather_from(volume, tool, centre, brick, at, ToolPart::head, [&](Vec3f local, unsigned slices) { return CellsNear::cylinders(shape, slices) | shank_cells(local, slices); },
                   [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool, auto&& pass) {
                     band.at = VecLanes(local);
                     for_band(x, y, z, count, band, [&](int i, bool) { pass(i); });
@@ -147,9 +147,9 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
   const double edge_reach = reach + kHalfEdge * voxel_mm_;
   ball_bricks(volume, centre, edge_reach, [&](int brick, IVec3 at, double) {
     gather_from(volume, tool, centre, brick, at, ToolPart::head,
-                [&](Vec3f local) {
-                  const CellsNear near = CellsNear::ball(local, static_cast<float>(edge_reach * per_mm + kFloatSlack));
-                  return near.without(walls_.known(volume, brick).slice) | shank_cells(local);
+                [&](Vec3f local, unsigned slices) {
+                  const CellsNear near = CellsNear::ball(local, static_cast<float>(edge_reach * per_mm + kFloatSlack), slices);
+                  return near.without(walls_.known(volume, brick).slice) | shank_cells(local, slices);
                 },
                 [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool has_edges, auto&& pass) {
                   const double wide = (has_edges ? edge_reach : reach) * per_mm + kFloatSlack;
@@ -178,7 +178,7 @@ void SurfaceContact::gather_shank(const Volume& volume, const Tool& tool, Vec3 c
   const bool edges = edges_;  // an edge of theirs is a point
   bricks_within(volume, tool.axis, centre, shank_within(tool, margin_mm), [&](int brick, IVec3 at, const TwoCylinders& shape) {
     const CylinderLanes inside(shape);
-    gather_from(volume, tool, centre, brick, at, ToolPart::shank, [&](Vec3f) { return CellsNear::cylinders(shape); },
+    gather_from(volume, tool, centre, brick, at, ToolPart::shank, [&](Vec3f, unsigned slices) { return CellsNear::cylinders(shape, slices); },
                 [&](const float* x, const float* y, const float* z, int count, Vec3f, bool, auto&& pass) {
                   for_inside(x, y, z, count, inside, pass);
                 });

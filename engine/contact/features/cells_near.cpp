@@ -23,18 +23,18 @@ unsigned cells_along(float low, float high) noexcept {
 }
 
 std::uint64_t cells_within(float low_x, float high_x, float low_y, float high_y) noexcept {
-  const std::uint64_t row = cells_along(low_x, high_x);
-  std::uint64_t out = 0;
-  const unsigned rows = cells_along(low_y, high_y);
-  for (int y = 0; y < 8; ++y) out |= (rows >> y & 1) != 0 ? row << (8 * y) : 0;
-  return out;
+  // Bit y of the rows becomes the lowest bit of byte y, which the row's cells then fill.
+  const std::uint64_t rows = cells_along(low_y, high_y);
+  const std::uint64_t seven = (rows & 0x7fu) * 0x0002040810204081ull & 0x0101010101010101ull;
+  return (seven | rows >> 7 << 56) * cells_along(low_x, high_x);
 }
 
 /// Of one cylinder about shape's axis, from..to along it.
-void add_cylinder(const TwoCylinders& shape, float from, float to, float radius, CellsNear& out) noexcept {
+void add_cylinder(const TwoCylinders& shape, float from, float to, float radius, unsigned slices, CellsNear& out) noexcept {
   const Vec3f axis = shape.axis;
   const float up = axis.z, beside = radius * std::sqrt(up < 1.0f && up > -1.0f ? 1.0f - up * up : 0.0f);
   for (int z = 0; z < 8; ++z) {
+    if ((slices >> z & 1) == 0) continue;
     // Of the axis' places those that are level with the slice, give or take the radius.
     const float below = (z - kOutside - shape.at.z - beside) / up, above = (z + 1.0f + kOutside - shape.at.z + beside) / up;
     const float t0 = std::max(std::min(below, above), from), t1 = std::min(std::max(below, above), to);
@@ -53,14 +53,14 @@ CellsNear CellsNear::all() noexcept {
   return out;
 }
 
-CellsNear CellsNear::ball(Vec3f centre, float reach) noexcept {
+CellsNear CellsNear::ball(Vec3f centre, float reach, unsigned slices) noexcept {
   CellsNear out;
   for (int z = 0; z < 8; ++z) {
     const float low = z - kOutside - centre.z, high = z + 1.0f + kOutside - centre.z;
     const float off = low > 0.0f ? low : high < 0.0f ? high : 0.0f;
     const float level = reach * reach - off * off;
     out.slice[z] = 0;
-    if (level < 0.0f) continue;
+    if (level < 0.0f || (slices >> z & 1) == 0) continue;
     for (int y = 0; y < 8; ++y) {
       const float below = y - kOutside - centre.y, above = y + 1.0f + kOutside - centre.y;
       const float beside = below > 0.0f ? below : above < 0.0f ? above : 0.0f;
@@ -73,13 +73,13 @@ CellsNear CellsNear::ball(Vec3f centre, float reach) noexcept {
   return out;
 }
 
-CellsNear CellsNear::cylinders(const TwoCylinders& shape) noexcept {
+CellsNear CellsNear::cylinders(const TwoCylinders& shape, unsigned slices) noexcept {
   if (shape.axis.z < kUpright && shape.axis.z > -kUpright) return all();
   CellsNear out{};
   const float narrow = std::sqrt(shape.narrow2), wide = std::sqrt(shape.wide2);
   const bool wide_all_along = shape.wide_from <= shape.from;
-  if (!wide_all_along) add_cylinder(shape, shape.from, shape.to, narrow, out);
-  add_cylinder(shape, wide_all_along ? shape.from : shape.wide_from, shape.to, wide, out);
+  if (!wide_all_along) add_cylinder(shape, shape.from, shape.to, narrow, slices, out);
+  add_cylinder(shape, wide_all_along ? shape.from : shape.wide_from, shape.to, wide, slices, out);
   return out;
 }
 

@@ -11,11 +11,12 @@ namespace cusp::engine {
 struct CellsNear {
   std::uint64_t slice[8];
 
+  static constexpr unsigned kAllSlices = 0xff;
   static CellsNear all() noexcept;
-  /// Voxels from the brick's first voxel.
-  static CellsNear ball(Vec3f centre, float reach) noexcept;
+  /// Voxels from the brick's first voxel. slices: the others stay empty.
+  static CellsNear ball(Vec3f centre, float reach, unsigned slices = kAllSlices) noexcept;
   /// Slice by slice where they stand rather upright, else all cells.
-  static CellsNear cylinders(const TwoCylinders& shape) noexcept;
+  static CellsNear cylinders(const TwoCylinders& shape, unsigned slices = kAllSlices) noexcept;
   CellsNear operator|(const CellsNear& other) const noexcept;
   CellsNear without(const std::uint64_t (&others)[8]) const noexcept;
 };

@@ -95,14 +95,14 @@ class CutSurface {
     forget();
   }
 
-  /// First page of a brick's features, -1 if it has none. Features of cells() (CellsNear) are up to date; changed features of
-  /// other cells are left out. Valid until the next call. Pre: volume.has_cut(brick).
+  /// First page of a brick's features, -1 if it has none. Features of cells(slices) (CellsNear; slices: which are asked for) are
+  /// up to date; changed features of other cells are left out. Valid until the next call. Pre: volume.has_cut(brick).
   template <class Cells>
   std::int32_t first(const Volume& volume, int brick, Cells&& cells) noexcept {
     const Slot& slot = slots_[static_cast<std::size_t>(volume.cut_slot(brick))];
-    std::uint64_t any = 0;
-    for (const std::uint64_t stale : slot.stale) any |= stale;
-    if (any != 0) refresh(volume, brick, cells());
+    unsigned slices = 0;
+    for (int z = 0; z < kBrickEdge; ++z) slices |= slot.stale[z] != 0 ? 1u << z : 0u;
+    if (slices != 0) refresh(volume, brick, cells(slices));
     return slot.first;
   }
   /// Brings cells up to date, slice by slice, while `budget` (cells) lasts. Returns the rest of it, negative if some have to
@@ -139,6 +139,7 @@ class CutSurface {
   static constexpr int kWide = 15;
 
   void refresh(const Volume& volume, int brick, const CellsNear& cells) noexcept;
+  void pass_empty(const Volume& volume, int brick, Slot& slot) const noexcept;
   /// Cells of these parts in a slice.
   static std::uint64_t cells_of(Parts parts, int z) noexcept {
     const unsigned both = parts >> (2 * z) & 3u;
