@@ -1,7 +1,7 @@
 // The search of a ball that one sweep holds, where neck and shank are free: in its own hole, at its own front while it cuts, and
 // in wider cuts.
 
-#include "engine/contact/surface_contact.h"
+#include "engine/contact/surface_near.h"
 
 namespace cusp::engine {
 
@@ -17,16 +17,21 @@ constexpr double kWays = 1.5, kWayMm = 0.02;  // a longer way than so many of th
 bool SurfaceContact::shank_free(const Volume& volume, const Tool& tool, Vec3 pose, double within_mm) noexcept {
   const ShankFree& known = shank_free_;
   if (known.bur == tool.bur && known.axis == tool.axis && length_of(pose - known.centre) + within_mm <= known.margin_mm) return true;
-  const std::size_t at_hand = count_;
+  // Gathered once; of what stands there, less and less is asked for.
+  const std::size_t at_hand = count_, from = gathered_.valid ? ball_count_ + shank_count_ : 0;
+  count_ = from;
+  gather_shank(volume, tool, pose, within_mm + kShankAheadMm[0]);
+  const int near = static_cast<int>(count_ - from);
+  count_ = at_hand;
+  const auto free = [&](double margin) {
+    bool out = true;
+    for_inside(&place_x_[from], &place_y_[from], &place_z_[from], near,
+               CylinderLanes(shank_within(tool, margin).cylinders(tool.axis, voxel_mm_)), [&out](int) { out = false; });
+    return out;
+  };
   for (const double ahead : kShankAheadMm) {
-    const double margin = within_mm + ahead;
-    count_ = gathered_.valid ? ball_count_ + shank_count_ : 0;
-    const std::size_t before = count_;
-    gather_shank(volume, tool, pose, margin);
-    const bool free = count_ == before;
-    count_ = at_hand;
-    if (!free) continue;
-    shank_free_ = {pose, tool.axis, margin, tool.bur};
+    if (near > 0 && !free(within_mm + ahead)) continue;
+    shank_free_ = {pose, tool.axis, within_mm + ahead, tool.bur};
     return true;
   }
   return false;
