@@ -9,7 +9,7 @@ namespace cusp::engine {
 namespace {
 
 // Margin of the candidates, in steps: they serve while the bur stays within it.
-constexpr double kStepsAhead = 8.0, kStepsMeanwhile = 2.0;
+constexpr double kStepsAhead = 5.0, kStepsMeanwhile = 2.0;
 constexpr double kLeastMargin = 0.06;  // mm
 /// Voxels from an inner edge to where its rounding ends: a cell's field reads one sample beyond it.
 constexpr double kRimReach = 1.0;
