@@ -248,14 +248,6 @@ std::size_t SurfaceContact::add_ball_constraints(const Volume& volume, const Too
   return looked;
 }
 
-/// Of a head at `at` that is no ball: its least height over the plane of a surface's point. Neither that point nor that plane
-/// holds off what stands higher than the slack.
-inline double SurfaceContact::height_of_head(const Tool& tool, const Candidate& c, Vec3 at) noexcept {
-  const double along = glm::dot(c.normal, tool.axis);
-  const Vec3 sideways = c.normal - tool.axis * along;
-  return glm::dot(c.normal, at) - c.level + tool.thin(c.field) - tool.bur->head.extent({-along, length_of(sideways)});
-}
-
 /// Those of a head that is no ball.
 std::size_t SurfaceContact::add_head_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at,
                                                  double slack_mm) noexcept {
@@ -274,12 +266,28 @@ std::size_t SurfaceContact::add_head_constraints(const Volume& volume, const Too
     known_of(volume, tool, i);
     ++looked;
     const Candidate& c = candidates_[i];
-    if (c.kind == Kind::surface && height_of_head(tool, c, at) > slack_mm + kNormalRounding) return;
-    const Vec3 point = c.point;
-    const ByHead place = by_head(*tool.bur, tool.axis, point - at);
-    if (place.distance > far + most) return;
-    if (place.distance > far - most && head_distance(*tool.bur, tool.axis, point - centre) > far) return;
-    constrain(i, plane_of_head(tool, c, place, at, slack_mm));
+    const Vec3 point = c.point - at;
+    ByHead place;
+    HeadFoot foot;
+    bool within = false;  // far, by a place of the head
+    if (c.kind == Kind::surface) {
+      const IntoSurface into(tool.axis, c.normal);
+      // Neither the point nor its plane holds off what stands higher over the plane than the slack.
+      const double height = glm::dot(c.normal, at) - c.level + tool.thin(c.field) - tool.bur->head.extent(into.down);
+      if (height > slack_mm + kNormalRounding) return;
+      place = by_axis(tool.axis, point);
+      foot = deepest_foot(*tool.bur, tool.axis, c.normal, into, point, place, beside);
+      const Vec3 d = foot.at - point;
+      within = foot.deepest && far > most && glm::dot(d, d) <= (far - most) * (far - most);
+    } else {
+      place = by_axis(tool.axis, point);
+    }
+    if (!within) {
+      reckon(*tool.bur, place);
+      if (place.distance > far + most) return;
+      if (place.distance > far - most && head_distance(*tool.bur, tool.axis, c.point - centre) > far) return;
+    }
+    constrain(i, plane_of_head(tool, c, place, foot, at, slack_mm));
   });
   return looked;
 }

@@ -13,10 +13,10 @@
 #include "engine/contact/features/cut_surface.h"
 #include "engine/contact/features/points_box.h"
 #include "engine/contact/features/seen_voxels.h"
+#include "engine/contact/head_foot.h"
 #include "engine/contact/solver/kept_planes.h"
 #include "engine/contact/solver/plane_search.h"
 #include "engine/scene/scene.h"
-#include "engine/tool/swept.h"
 #include "engine/volume/cell_field.h"
 #include "engine/volume/volume.h"
 
@@ -245,15 +245,9 @@ class SurfaceContact {
   };
   static Constraint tangent_of(Vec3 off, Vec3 y, double r, double slack_mm) noexcept;
   Constraint plane_of_shank(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm) const noexcept;
-  /// Where a head stands on a surface: from the pivot; and the direction that holds it off there.
-  struct HeadFoot {
-    Vec3 at{0.0}, normal{0.0};
-    bool deepest = true;  // no place of the head stands deeper over the surface's plane
-    double over = 0.0;    // mm: how high the deepest one stands over it
-  };
   bool near_rim(const Tool& tool, Vec3 from_pivot) const noexcept;
-  HeadFoot head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot, const ByHead& point) const noexcept;
-  Constraint plane_of_head(const Tool& tool, const Candidate& c, const ByHead& place, Vec3 y, double slack_mm) const noexcept;
+  Constraint plane_of_head(const Tool& tool, const Candidate& c, ByHead& place, const HeadFoot& deepest, Vec3 y,
+                           double slack_mm) const noexcept;
   Constraint plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm) const noexcept;
   void add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
                   const CutSurface::Page* page, Kind kind) noexcept;
@@ -262,7 +256,6 @@ class SurfaceContact {
   bool rebuild_constraints(const Tool& tool, Vec3 at, double slack_mm) noexcept;
   Known known_of(const Volume& volume, const Tool& tool, std::size_t i) noexcept;
   std::size_t add_ball_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
-  static double height_of_head(const Tool& tool, const Candidate& c, Vec3 at) noexcept;
   std::size_t add_head_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
   std::size_t add_shank_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
   struct EdgePair;

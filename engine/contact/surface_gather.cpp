@@ -209,7 +209,7 @@ void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre,
 /// True at a rim, which reaches further into an inner edge than the field does.
 bool SurfaceContact::near_rim(const Tool& tool, Vec3 from_pivot) const noexcept {
   OnHalf rim;
-  return !tool.ball() && tool.bur->head.rim(by_head(*tool.bur, tool.axis, from_pivot).at, kRimReach * voxel_mm_, rim);
+  return !tool.ball() && tool.bur->head.rim(by_axis(tool.axis, from_pivot).at, kRimReach * voxel_mm_, rim);
 }
 
 void SurfaceContact::foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 device) noexcept {

@@ -9,7 +9,6 @@ namespace cusp::engine {
 
 namespace {
 
-constexpr double kFacing = 0.9;               // cos 26 deg: a head's side that turns further from a surface does not lie on it
 constexpr int kEdgePasses = 14;               // halvings of an edge's piece of 1.4 voxels: to some 5 nm
 constexpr double kLeastShare = 0.5;           // cos 60 deg: sides that turn further apart are opposite flanks, deep in the head
 constexpr double kCloseLeapMm = 0.02;
@@ -116,65 +115,16 @@ SurfaceContact::Constraint SurfaceContact::plane_of_shank(const Tool& tool, cons
   return out;
 }
 
-/// Of a head that is no ball: its place that stands deepest over the plane of a point of a surface, if the plane is to be
-/// believed there. Else its place at the height along the axis where the head is nearest to the point: a flank, or an end,
-/// that all but lies on the surface, which bends away from the plane before the flank ends; there the head's own normal
-/// holds it off.
-SurfaceContact::HeadFoot SurfaceContact::head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot,
-                                                   const ByHead& point) const noexcept {
-  const double reach = kPlaneReach * voxel_mm_, beside2 = reach * reach;
-  const Profile& head = tool.bur->head;
-  const OnHalf at = point.at, gradient = point.gradient;
-  const auto of_point = [&] { return at.rho > 0.0 ? point.off / at.rho : across(tool.axis); };
-  OnHalf down{-glm::dot(normal, tool.axis), 0.0};
-  const Vec3 sideways = -normal - tool.axis * down.t;
-  down.rho = length_of(sideways);
-  const Vec3 out = down.rho > 1e-9 ? sideways / down.rho : of_point();
-  const OnHalf deepest = head.support(down, at);
-  HeadFoot foot{tool.axis * deepest.t + out * deepest.rho, normal, true};
-  const Vec3 d = foot.at - point_from_pivot;
-  foot.over = glm::dot(normal, d);
-  if (glm::dot(d, d) - foot.over * foot.over <= beside2) return foot;
-  const OnHalf near{at.t - point.distance * gradient.t, at.rho - point.distance * gradient.rho};
-  foot.deepest = false;
-  if (std::fabs(gradient.t) < std::fabs(gradient.rho)) {
-    // A flank: on the side that the surface faces.
-    foot.at = tool.axis * near.t + out * near.rho;
-    const Vec3 beside = foot.at - point_from_pivot;
-    const double over = glm::dot(normal, beside);
-    if (glm::dot(beside, beside) - over * over <= beside2) {
-      foot.normal = -(tool.axis * gradient.t + out * gradient.rho);
-      return foot;
-    }
-  }
-  const Vec3 aside = of_point();
-  foot.at = tool.axis * near.t + aside * near.rho;
-  foot.normal = -(tool.axis * gradient.t + aside * gradient.rho);
-  // A rim close by that stands deeper has many normals: the surface's own, but for what of it runs along the rim.
-  OnHalf rim;
-  if (!head.rim(near, reach, rim)) return foot;
-  const Vec3 of_rim = tool.axis * rim.t + aside * rim.rho;
-  const Vec3 along = glm::cross(tool.axis, aside);
-  const Vec3 facing = normal - along * glm::dot(normal, along);
-  const double length = length_of(facing);
-  if (length < kFacing || glm::dot(normal, of_rim) > glm::dot(normal, foot.at)) return foot;
-  foot.at = of_rim;
-  foot.normal = facing / length;
-  return foot;
-}
-
-/// As plane_of, for a head that is no ball. `place`: the candidate's point by the head at y.
-SurfaceContact::Constraint SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, const ByHead& place, Vec3 y,
-                                                         double slack_mm) const noexcept {
+/// As plane_of, for a head that is no ball. `place`: the candidate's point by the head at y. deepest: of a surface, deepest_foot().
+SurfaceContact::Constraint SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, ByHead& place, const HeadFoot& deepest,
+                                                         Vec3 y, double slack_mm) const noexcept {
   const double thin = tool.thin(c.field);
   Constraint out;
-  double gap = place.distance + thin;
-  out.low_mm = gap;
-  Vec3 gradient;
   if (c.kind == Kind::surface) {
     const double beside = kPlaneReach * voxel_mm_, beside2 = beside * beside;
     const Vec3 point = c.point - y;
-    const HeadFoot foot = head_foot(tool, c.normal, point, place);
+    const HeadFoot foot =
+        deepest.deepest ? deepest : foot_beside(*tool.bur, tool.axis, c.normal, point, place, beside, deepest);
     out.low_mm = foot.over + thin;
     const double facing = glm::dot(c.normal, foot.normal);
     const double height = (glm::dot(c.normal, y + foot.at) - c.level + thin) / facing;
@@ -197,15 +147,17 @@ SurfaceContact::Constraint SurfaceContact::plane_of_head(const Tool& tool, const
         return out;
       }
     }
-    gradient = gradient_in_space(place, tool.axis);
-  } else if (c.kind == Kind::inside) {
-    gap -= c.level;
-    out.low_mm = gap;
-    gradient = gradient_in_space(place, tool.axis);
-  } else {
+  }
+  reckon(*tool.bur, place);
+  double gap = place.distance + thin;
+  Vec3 gradient;
+  if (c.kind == Kind::edge) {
     if (gap > slack_mm + voxel_mm_) return out;
     gap = distance_to_edge(*tool.bur, tool.axis, y, c.point, c.normal, *c.feature, gradient) + thin;
     out.low_mm = gap;
+  } else {
+    gradient = gradient_in_space(place, tool.axis);
+    if (c.kind == Kind::inside) out.low_mm = gap -= c.level;
   }
   if (gap > slack_mm) return out;
   out.near = true;
@@ -217,7 +169,14 @@ SurfaceContact::Constraint SurfaceContact::plane_of_head(const Tool& tool, const
 /// The plane that keeps the bur off one candidate, seen from y.
 SurfaceContact::Constraint SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm) const noexcept {
   if (c.kind == Kind::shank) return plane_of_shank(tool, c, y, slack_mm);
-  if (!tool.ball()) return plane_of_head(tool, c, by_head(*tool.bur, tool.axis, c.point - y), y, slack_mm);
+  if (!tool.ball()) {
+    ByHead place = by_axis(tool.axis, c.point - y);
+    const double reach = kPlaneReach * voxel_mm_;
+    const HeadFoot foot = c.kind == Kind::surface
+                              ? deepest_foot(*tool.bur, tool.axis, c.normal, IntoSurface(tool.axis, c.normal), c.point - y, place, reach)
+                              : HeadFoot{};
+    return plane_of_head(tool, c, place, foot, y, slack_mm);
+  }
   const double r = tool.bur->radius_mm - tool.thin(c.field);
   if (c.kind == Kind::surface) return plane_of_surface(r, c, y, slack_mm);
   Vec3 d = y - c.point, along;

@@ -16,10 +16,11 @@ constexpr double kPolishedMm = 1e-6;        // mm: a polish that would move less
 }  // namespace
 
 /// Of the head, thinned against a field: its place (from the pivot) that stands on a surface with this normal, about a point.
-SurfaceContact::HeadFoot SurfaceContact::foot_of(const Tool& tool, Field field, Vec3 normal, Vec3 point, Vec3 pose) const noexcept {
+HeadFoot SurfaceContact::foot_of(const Tool& tool, Field field, Vec3 normal, Vec3 point, Vec3 pose) const noexcept {
   const double thin = tool.thin(field);
   if (tool.ball()) return {normal * -(tool.bur->radius_mm - thin), normal, true};
-  HeadFoot foot = head_foot(tool, normal, point - pose, by_head(*tool.bur, tool.axis, point - pose));
+  ByHead place = by_axis(tool.axis, point - pose);
+  HeadFoot foot = head_foot(*tool.bur, tool.axis, normal, point - pose, place, kPlaneReach * voxel_mm_);
   foot.at += foot.normal * thin;
   return foot;
 }

@@ -6,21 +6,7 @@ namespace cusp::engine {
 
 namespace {
 
-/// A place by the bur's axis: t along it, `off` across it.
-struct Cylindrical {
-  OnHalf at;
-  Vec3 off{0.0};
-};
-
-Cylindrical by_axis(Vec3 axis, Vec3 from_pivot) noexcept {
-  Cylindrical out;
-  out.at.t = glm::dot(from_pivot, axis);
-  out.off = from_pivot - axis * out.at.t;
-  out.at.rho = std::sqrt(glm::dot(out.off, out.off));
-  return out;
-}
-
-Vec3 in_space(Vec3 axis, const Cylindrical& place, OnHalf gradient) noexcept {
+Vec3 in_space(Vec3 axis, const ByHead& place, OnHalf gradient) noexcept {
   if (place.at.rho > 0.0) return axis * gradient.t + place.off * (gradient.rho / place.at.rho);
   return axis * gradient.t + across(axis) * gradient.rho;
 }
@@ -44,7 +30,7 @@ double nearest_part(Vec3 a, Vec3 b, Vec3 place) noexcept {
 /// only grows.
 struct OnTheWay {
   double part = 0.0, distance = 0.0, slope = 0.0;
-  Cylindrical place;
+  ByHead place;
   OnHalf gradient;
 };
 
@@ -86,12 +72,12 @@ Vec3 across(Vec3 axis) noexcept {
 
 Vec3 head_furthest(const Bur& bur, Vec3 axis, Vec3 direction) noexcept {
   if (bur.head.ball()) return direction * bur.radius_mm;
-  const Cylindrical way = by_axis(axis, direction);
+  const ByHead way = by_axis(axis, direction);
   const OnHalf at = bur.head.support(way.at, {});
   return in_space(axis, way, at);
 }
 
-Vec3 gradient_in_space(const ByHead& place, Vec3 axis) noexcept { return in_space(axis, {place.at, place.off}, place.gradient); }
+Vec3 gradient_in_space(const ByHead& place, Vec3 axis) noexcept { return in_space(axis, place, place.gradient); }
 
 double head_distance(const Bur& bur, Vec3 axis, Vec3 from_pivot) noexcept {
   if (bur.head.ball()) return std::sqrt(glm::dot(from_pivot, from_pivot)) - bur.radius_mm;
@@ -101,14 +87,15 @@ double head_distance(const Bur& bur, Vec3 axis, Vec3 from_pivot) noexcept {
 
 double head_distance(const Bur& bur, Vec3 axis, Vec3 from_pivot, Vec3& gradient) noexcept {
   if (bur.head.ball()) return ball_distance(bur.radius_mm, axis, from_pivot, gradient);
-  const ByHead place = by_head(bur, axis, from_pivot);
+  ByHead place = by_axis(axis, from_pivot);
+  reckon(bur, place);
   gradient = gradient_in_space(place, axis);
   return place.distance;
 }
 
 Vec3 head_support(const Bur& bur, Vec3 axis, Vec3 direction, Vec3 near) noexcept {
   if (bur.head.ball()) return direction * bur.radius_mm;
-  const Cylindrical way = by_axis(axis, direction), place = by_axis(axis, near);
+  const ByHead way = by_axis(axis, direction), place = by_axis(axis, near);
   const OnHalf at = bur.head.support(way.at, place.at);
   if (way.at.rho > 1e-9) return axis * at.t + way.off * (at.rho / way.at.rho);
   // A direction along the axis has no part across it; the place's part is used.
@@ -163,7 +150,7 @@ Passing passing_head(const Bur& bur, Vec3 axis, Vec3 a, Vec3 b, Vec3 place, doub
 }
 
 double holder_distance(const Bur& bur, Vec3 axis, Vec3 from_pivot, Vec3& gradient) noexcept {
-  const Cylindrical place = by_axis(axis, from_pivot);
+  const ByHead place = by_axis(axis, from_pivot);
   OnHalf on_half{0.0, 1.0};
   double distance = cylinder_distance(0.0, bur.neck_length_mm, bur.neck_radius_mm, place.at, on_half);
   if (bur.shank_length_mm > 0.0) {

@@ -16,22 +16,27 @@ inline double head_reach(const Bur& bur) noexcept { return bur.head.ball() ? bur
 double head_distance(const Bur& bur, Vec3 axis, Vec3 from_pivot) noexcept;
 double head_distance(const Bur& bur, Vec3 axis, Vec3 from_pivot, Vec3& gradient) noexcept;
 
-/// A place by a head that is no ball: in the half plane that holds it, and the head's distance and gradient there.
+/// A place by a head that is no ball: in the half plane that holds it; and the head's distance and gradient there, once asked for.
 struct ByHead {
   OnHalf at;
   Vec3 off{0.0};  // from the axis; at.rho long
   double distance = 0.0;
   OnHalf gradient;
+  bool reckoned = false;  // distance and gradient
 };
-inline ByHead by_head(const Bur& bur, Vec3 axis, Vec3 from_pivot) noexcept {
+inline ByHead by_axis(Vec3 axis, Vec3 from_pivot) noexcept {
   ByHead out;
   out.at.t = glm::dot(from_pivot, axis);
   out.off = from_pivot - axis * out.at.t;
   out.at.rho = std::sqrt(glm::dot(out.off, out.off));
-  out.distance = bur.head.distance(out.at, out.gradient);
   return out;
 }
-/// Of a place's distance, as head_distance() gives it.
+inline void reckon(const Bur& bur, ByHead& place) noexcept {
+  if (place.reckoned) return;
+  place.distance = bur.head.distance(place.at, place.gradient);
+  place.reckoned = true;
+}
+/// Of a place's distance, as head_distance() gives it. Pre: reckoned.
 Vec3 gradient_in_space(const ByHead& place, Vec3 axis) noexcept;
 
 /// From the pivot: the head's place furthest along a unit direction, by Profile::support().
