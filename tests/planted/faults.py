@@ -141,5 +141,5 @@ FAULTS = [
     fault("library function in the step", "release", "architecture_tests", r"std::hypot",
           ("engine/step/step.cpp", "axis = axis / std::sqrt(glm::dot(axis, axis));", "axis = axis / std::hypot(axis.x, axis.y, axis.z);")),
     fault("products and sums fused", "release", "architecture_tests", r"ffp-contract=off",
-          ("CMakeLists.txt", "-fno-strict-aliasing -ffp-contract=off)", "-fno-strict-aliasing)")),
+          ("CMakeLists.txt", "-Wshadow -ffp-contract=off)", "-Wshadow)")),
 ]
