@@ -287,6 +287,7 @@ std::size_t SurfaceContact::add_head_constraints(const Volume& volume, const Too
       if (place.distance > far + most) return;
       if (place.distance > far - most && head_distance(*tool.bur, tool.axis, c.point - centre) > far) return;
     }
+    if (!foot.deepest) foot = foot_beside(*tool.bur, tool.axis, c.normal, point, place, beside, foot);
     constrain(i, plane_of_head(tool, c, place, foot, at, slack_mm));
   });
   return looked;

@@ -246,7 +246,7 @@ class SurfaceContact {
   static Constraint tangent_of(Vec3 off, Vec3 y, double r, double slack_mm) noexcept;
   Constraint plane_of_shank(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm) const noexcept;
   bool near_rim(const Tool& tool, Vec3 from_pivot) const noexcept;
-  Constraint plane_of_head(const Tool& tool, const Candidate& c, ByHead& place, const HeadFoot& deepest, Vec3 y,
+  Constraint plane_of_head(const Tool& tool, const Candidate& c, ByHead& place, const HeadFoot& foot, Vec3 y,
                            double slack_mm) const noexcept;
   Constraint plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm) const noexcept;
   void add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,

@@ -17,7 +17,7 @@ constexpr double kWays = 1.5, kWayMm = 0.02;  // a longer way than so many of th
 bool SurfaceContact::shank_free(const Volume& volume, const Tool& tool, Vec3 pose, double within_mm) noexcept {
   const ShankFree& known = shank_free_;
   if (known.bur == tool.bur && known.axis == tool.axis && length_of(pose - known.centre) + within_mm <= known.margin_mm) return true;
-  // Gathered once; of what stands there, less and less is asked for.
+  // One gathering serves all three distances.
   const std::size_t at_hand = count_, from = gathered_.valid ? ball_count_ + shank_count_ : 0;
   count_ = from;
   gather_shank(volume, tool, pose, within_mm + kShankAheadMm[0]);

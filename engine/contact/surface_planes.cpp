@@ -115,16 +115,14 @@ SurfaceContact::Constraint SurfaceContact::plane_of_shank(const Tool& tool, cons
   return out;
 }
 
-/// As plane_of, for a head that is no ball. `place`: the candidate's point by the head at y. deepest: of a surface, deepest_foot().
-SurfaceContact::Constraint SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, ByHead& place, const HeadFoot& deepest,
+/// As plane_of, for a head that is no ball. `place`: the candidate's point by the head at y. foot: on a surface, head_foot().
+SurfaceContact::Constraint SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, ByHead& place, const HeadFoot& foot,
                                                          Vec3 y, double slack_mm) const noexcept {
   const double thin = tool.thin(c.field);
   Constraint out;
   if (c.kind == Kind::surface) {
     const double beside = kPlaneReach * voxel_mm_, beside2 = beside * beside;
     const Vec3 point = c.point - y;
-    const HeadFoot foot =
-        deepest.deepest ? deepest : foot_beside(*tool.bur, tool.axis, c.normal, point, place, beside, deepest);
     out.low_mm = foot.over + thin;
     const double facing = glm::dot(c.normal, foot.normal);
     const double height = (glm::dot(c.normal, y + foot.at) - c.level + thin) / facing;
@@ -171,10 +169,8 @@ SurfaceContact::Constraint SurfaceContact::plane_of(const Tool& tool, const Cand
   if (c.kind == Kind::shank) return plane_of_shank(tool, c, y, slack_mm);
   if (!tool.ball()) {
     ByHead place = by_axis(tool.axis, c.point - y);
-    const double reach = kPlaneReach * voxel_mm_;
-    const HeadFoot foot = c.kind == Kind::surface
-                              ? deepest_foot(*tool.bur, tool.axis, c.normal, IntoSurface(tool.axis, c.normal), c.point - y, place, reach)
-                              : HeadFoot{};
+    HeadFoot foot;
+    if (c.kind == Kind::surface) foot = head_foot(*tool.bur, tool.axis, c.normal, c.point - y, place, kPlaneReach * voxel_mm_);
     return plane_of_head(tool, c, place, foot, y, slack_mm);
   }
   const double r = tool.bur->radius_mm - tool.thin(c.field);
