@@ -127,7 +127,9 @@ Stored<void> check_beside(const fs::path& file) {
   for (const char* ending : {"-wal", "-shm", "-journal"}) {
     const fs::path beside = file.string() + ending;
     std::error_code none;
-    if (!fs::exists(beside, none) || fs::is_regular_file(beside, none)) continue;
+    // Asked once: another program may remove its journal between two questions.
+    const fs::file_status there = fs::status(beside, none);
+    if (!fs::exists(there) || fs::is_regular_file(there)) continue;
     return std::unexpected(failure_from(std::make_error_code(std::errc::invalid_argument), beside));
   }
   return {};
@@ -135,10 +137,11 @@ Stored<void> check_beside(const fs::path& file) {
 
 Stored<void> check_place(const fs::path& file, const DatabaseOptions& options) {
   std::error_code ignored;
-  const bool existed = fs::exists(file, ignored);
+  const fs::file_status there = fs::status(file, ignored);  // asked once: another program may remove its empty file
+  const bool existed = fs::exists(there);
   if (ignored == std::errc::permission_denied) return fail(StorageError::read_only, file.string());
   if (!existed && options.access != Access::create) return fail(StorageError::not_found, file.string());
-  if (existed && !fs::is_regular_file(file, ignored)) return fail(StorageError::not_a_database, file.string());
+  if (existed && !fs::is_regular_file(there)) return fail(StorageError::not_a_database, file.string());
   const LeftLog left = left_log(file);
   if (!existed && left == LeftLog::without_file) return fail(StorageError::duplicate, file.filename().string() + "-wal", "log");
   if (left == LeftLog::beside_empty_file) return fail(StorageError::corrupt, file.string());
@@ -253,6 +256,8 @@ Stored<Database> Database::open_for_writing(const fs::path& file, const Database
         ready.error().code = StorageError::busy;
     } else {
       ready = std::unexpected(database.error());
+      // Another process has removed its empty file since this one saw it.
+      if (existed && options.access == Access::create && !fs::exists(file, ignored)) ready.error().code = StorageError::busy;
     }
   }
   if (!existed) remove_if_empty(file, options);

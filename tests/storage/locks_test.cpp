@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <barrier>
 #include <fstream>
 #include <functional>
@@ -111,7 +112,7 @@ TEST(Locks, programs_that_start_together_on_a_new_file_all_open_it) {
     const auto open_it = [&] {
       const auto store = Store::open(file, quick());
       if (!store)
-        std::fprintf(stderr, "code %d: %s\n", static_cast<int>(store.error().code), store.error().detail.c_str());
+        std::fprintf(stderr, "code %d: %s %s\n", static_cast<int>(store.error().code), store.error().where.c_str(), store.error().detail.c_str());
       return store.has_value();
     };
     for (int i = 0; i < 4; ++i) programs.emplace_back(open_it);
@@ -121,6 +122,27 @@ TEST(Locks, programs_that_start_together_on_a_new_file_all_open_it) {
     EXPECT_EQ(must(store->database().integrity_check()), "");
     EXPECT_TRUE(must(verify_audit_log(store->context())).intact());
   }
+}
+
+/// As SQLite's own journal comes and goes beside a file that another program is making.
+TEST(Locks, a_journal_that_goes_while_the_place_is_checked_turns_nobody_away) {
+  const Folder folder;
+  const fs::path file = folder / "a.db", journal = file.string() + "-journal";
+  open(file).reset();
+  std::atomic<bool> stop{false};
+  std::thread other([&] {
+    while (!stop) {
+      std::ofstream{journal};
+      fs::remove(journal);
+    }
+  });
+  int refused = 0;
+  DatabaseOptions options;
+  options.access = Access::read_only;
+  for (int i = 0; i < 2000; ++i) refused += !Database::open(file, options);
+  stop = true;
+  other.join();
+  EXPECT_EQ(refused, 0);
 }
 
 TEST(Locks, closing_while_another_reads_leaves_it_its_log) {
