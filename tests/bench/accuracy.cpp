@@ -67,9 +67,7 @@ void channel_accuracy_rows(const Options& options, const Size& size, Measure wha
 
 std::vector<Row> accuracy_rows(const Options& options) {
   std::vector<Row> rows;
-  Measure what;
-  what.budget_s = options.budget_s;
-  what.seed = options.seed;
+  Measure what = measure_of(options);
   for (const std::string_view name : kShapeNames) {
     if (!asked(options.shapes, name)) continue;
     for (const Size& size : sizes_of(name, options)) {

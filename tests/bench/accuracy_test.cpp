@@ -150,5 +150,16 @@ TEST(Accuracy, GivesARowForEachMethodMotionAndSpeed) {
   EXPECT_EQ(rows[7].speed_mm_s, 200.0);
 }
 
+TEST(Accuracy, SamplesAreCountedWhateverTheyTake) {
+  Options options;
+  options.methods = {"surface"};
+  options.shapes = {"face"};
+  options.voxels_mm = {0.2};
+  options.bur_radii_mm = {0.5};
+  options.budget_s = 0.001;
+  options.samples = 150;
+  for (const Row& row : accuracy_rows(options)) EXPECT_EQ(row.samples + row.skipped, 150) << row.motion << row.speed_mm_s;
+}
+
 }  // namespace
 }  // namespace cusp::bench

@@ -250,9 +250,7 @@ void add_cavities(const Options& options, std::vector<Row>& rows) {
 std::vector<Row> heads_rows(const Options& options) {
   std::vector<Row> rows;
   if (!asked(options.methods, key_of(Method::surface))) return rows;
-  Measure what;
-  what.budget_s = options.budget_s;
-  what.seed = options.seed;
+  Measure what = measure_of(options);
   for (const std::string_view bur : burs_asked(options))
     for (const std::string_view shape : kHeadShapes)
       for (const std::string_view axis : kAxisMotions) {

@@ -17,6 +17,7 @@ constexpr double kPressAboveMm = 0.05;        // where a press starts
 constexpr double kPressStepMm = 0.05;        // a tick: 50 mm/s
 constexpr double kNotFiniteMm = 1000.0;  // error of a value that is not a number
 constexpr int kPressRestTicks = 10;           // before the sample: some methods arrive late
+constexpr double kNoBudgetS = 1e6;
 constexpr int kFollowMost = 100;         // ticks; a later method counts as wrong
 
 double mean(const std::vector<double>& values) {
@@ -40,6 +41,17 @@ bool too_small(const Exact& exact, Vec3 device) {
 }
 
 }  // namespace
+
+Measure measure_of(const Options& options) {
+  Measure out;
+  out.budget_s = options.budget_s;
+  out.seed = options.seed;
+  if (options.samples > 0) {
+    out.budget_s = kNoBudgetS;
+    out.most_ticks = options.samples;
+  }
+  return out;
+}
 
 void Errors::add(const StepOutput& out, const Exact& exact, double clearance_mm) {
   if (!finite(out.force_raw_n) || !finite(out.proxy_mm)) {
@@ -157,7 +169,7 @@ Row measure_presses(const Shape& shape, const Measure& what) {
   Errors errors;
   TickTimes times;
   const auto end = Clock::now() + std::chrono::duration<double>(what.budget_s);
-  for (int k = 0; k < kPresses && Clock::now() < end; ++k) {
+  for (int k = 0; k < std::min<std::int64_t>(kPresses, what.most_ticks) && Clock::now() < end; ++k) {
     const Spot spot = shape.spot(random);
     const Vec3 above = spot.centre + spot.normal * kPressAboveMm;
     bring(state, what.stepper, shape, above);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "tests/bench/motions.h"
+#include "tests/bench/options.h"
 #include "tests/bench/rows.h"
 #include "tests/bench/shapes.h"
 
@@ -16,9 +17,12 @@ struct Measure {
   double speed_mm_s = 50.0;  // slides
   double budget_s = 1.0;
   std::uint64_t seed = 1;
-  std::int64_t most_ticks = 400000;  // a slide ends here at the latest
+  std::int64_t most_ticks = 400000;  // a slide ends here at the latest, and presses
   Stepper stepper = [](StepState& state, const StepInput& input) { return step(state, input); };
 };
+
+/// Of the options: budget, samples and seed.
+Measure measure_of(const Options& options);
 
 /// Errors, tick by tick. Angle: between forces; a missing force counts as 90 degrees. A value that is not a number
 /// counts as no force and as 1 m off.

@@ -39,6 +39,7 @@ struct Options {
   double seconds = 10.0;          // latency: of each row
   std::vector<std::string> loads; // latency: off, on
   double budget_s = 1.0;          // wall clock of a row; sets the number of presses and ticks
+  std::int64_t samples = 0;       // accuracy, heads: presses or ticks of a slide, whatever they take; 0: the budget ends a row
   std::uint64_t seed = 1;         // of every random choice
   std::string json;               // file, "-" for stdout, empty for a table
   std::string out;                // chart: folder

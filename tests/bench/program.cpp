@@ -98,6 +98,7 @@ void add_options(CLI::App& app, Options& options, const Verb& verb) {
   app.add_option("--voxel-mm", options.voxels_mm, "voxel sizes; 0.078 is 10/128 (repeatable)")
       ->check(CLI::Range(0.01, 1.0));
   app.add_option("--budget-s", options.budget_s, "wall clock a row, 1 unless given")->check(CLI::Range(0.001, 3600.0));
+  app.add_option("--samples", options.samples, "accuracy and heads: presses or ticks of a slide, not by the budget")->check(CLI::Range(1, 400000));
   app.add_option("--minutes", options.minutes, "cavity and mill: of milling (repeatable)")->check(CLI::Range(0.01, 120.0));
   app.add_option("--tremor-mm", options.tremors_mm, "cavity and mill: rms of the tremor (repeatable)")->check(CLI::Range(0.0, 1.0));
   app.add_option("--seconds", options.seconds, "latency: of each row, 10 unless given")->check(CLI::Range(0.1, 3600.0));
