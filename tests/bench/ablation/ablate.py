@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Turns each mechanism of mechanisms.py off in a copy of the tree, and measures what that changes.
 
-  ablate.py CSV [--folder FOLDER] [--only WORD] [--part K/N] [--core C]
+  ablate.py CSV [--folder FOLDER] [--only WORD ...] [--run NAME ...] [--tests] [--part K/N] [--core C]
   ablate.py --texts                         only looks for the texts to be replaced, in the caller's tree
   ablate.py --join CSV PART ...             joins what several parts measured, of one commit and engine
 
 FOLDER (default build/ablation) keeps the copy with its build folder; the caller's tree is never changed. --part: every Nth
-mechanism, so that parts run beside each other in folders of their own. --core: runs stay on this core.
+mechanism, so that parts run beside each other in folders of their own. --only: whose name holds a WORD. --run: only these of RUNS. --tests: runs TESTS instead, and notes
+which fail. --core: runs stay on this core.
 The tree as it stands is measured first, after every eighth mechanism, and last: their spread is that of the machine.
 Exit status 1: an edit does not build or a run fails; 2: a text to be replaced is gone, so mechanisms.py is out of date.
 """
@@ -15,6 +16,7 @@ import csv
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 
@@ -36,15 +38,13 @@ RUNS = {
     "accuracy": ["accuracy", "--method", "surface", "--bur-radius-mm", "0.5", "--samples", "1000"],
     "removal": ["removal", "--method", "surface", "--measure", "slide", "--measure", "ridge"],
 }
+TESTS = ("contact_tests", "step_tests", "tool_tests", "operators_test", "bench_outer_edges_test", "bench_heads_test", "bench_rate_test",
+         "bench_stability_test", "bench_removal_test")
 CLEAN = ("face", "sphere", "pit", "cylinder", "edge", "corner", "groove", "step", "wall")
 
 
 def worst(rows, field):
     return max((row[field] for row in rows if field in row), default=math.nan)
-
-
-def slowest(rows):
-    return min((row["updates_per_s"] for row in rows if "updates_per_s" in row), default=math.nan)
 
 
 def mean(rows, field):
@@ -56,28 +56,30 @@ def quantities(rows):
     """[name, with its unit]: value, from the rows of all runs."""
     out = {}
 
-    def accuracy(name, of):
-        out[f"{name}: angle mean, deg"] = worst(of, "angle_deg_mean")
-        out[f"{name}: angle p99, deg"] = worst(of, "angle_deg_p99")
-        out[f"{name}: pose mean, um"] = worst(of, "pose_um_mean")
-        out[f"{name}: depth mean, um"] = worst(of, "depth_um_mean")
-        out[f"{name}: infeasible ticks"] = sum(row.get("infeasible_ticks", 0) for row in of)
+    def accuracy(name, of, over=worst, tail="p99"):
+        out[f"{name}: angle mean, deg"] = over(of, "angle_deg_mean")
+        out[f"{name}: angle {tail}, deg"] = over(of, f"angle_deg_{tail}")
+        out[f"{name}: pose mean, um"] = over(of, "pose_um_mean")
+        out[f"{name}: depth mean, um"] = over(of, "depth_um_mean")
+        out[f"{name}: infeasible ticks"] = sum(row.get("infeasible_ticks", 0) for row in of) if of else math.nan
 
     def time(name, of):
         out[f"{name}: tick p50, us"] = mean(of, "tick_us_p50")
         out[f"{name}: tick p99, us"] = worst(of, "tick_us_p99")
 
     explored = [row for row in rows["cavity"] if row.get("motion") == "slide"]
+    clean = [row for row in rows["accuracy"] if row["shape"] in CLEAN]
     accuracy("cavity", explored)
     time("cavity", explored)
-    for name, of in (("clean", [r for r in rows["accuracy"] if r["shape"] in CLEAN]), ("cuts", [r for r in rows["accuracy"] if r["shape"] == "cut"]),
-                     ("channel", [r for r in rows["accuracy"] if r["shape"] == "channel"]),
-                     ("heads", [r for r in rows["heads"] if r["shape"] != "slot"]), ("head's slot", [r for r in rows["heads"] if r["shape"] == "slot"])):
+    for name, of in (("clean", clean), ("cuts", [r for r in rows["accuracy"] if r["shape"] == "cut"]),
+                     ("channel", [r for r in rows["accuracy"] if r["shape"] == "channel"])):
         accuracy(name, of)
         time(name, of)
-        if name != "clean":
-            out[f"{name}: updates/s, k"] = slowest(of) / 1000.0
-    out["clean: candidates, most"] = worst([r for r in rows["accuracy"] if r["shape"] in CLEAN], "max_candidates")
+    # Of heads the mean over the rows: at an edge, the last digit decides in which tick a head falls over it, and that tick the row's worst.
+    for name, of in (("heads", [r for r in rows["heads"] if r["shape"] != "slot"]), ("head's slot", [r for r in rows["heads"] if r["shape"] == "slot"])):
+        accuracy(name, of, mean, "p95")
+        time(name, of)
+    out["clean: candidates, most"] = worst(clean, "max_candidates")
     out["heads: candidates, most"] = worst(rows["heads"], "max_candidates")
     for row in rows["mill"]:
         name = "milling, " + row["bur"].replace("_", " ")
@@ -89,23 +91,41 @@ def quantities(rows):
     return out
 
 
-def measure(copy, core):
-    """Quantities, engine and machine of the copy as it is now."""
-    status, output = copy.build("release", ["cusp-bench"])
+def build(copy, targets):
+    status, output = copy.build("release", targets)
     if status != 0:
         sys.exit(output[-3000:])
-    rows, head = {}, {}
-    for name, arguments in RUNS.items():
-        file = copy.path(f"build/{name}.json")
-        on_core = [] if core is None else ["taskset", "-c", str(core)]
-        status, output = copy.run(*on_core, copy.path("build/release/cusp-bench"), *arguments, "--json", file)
-        if status != 0:
-            print(f"{name} ends with {status}: {output[-500:]}", file=sys.stderr, flush=True)
-            return None, head  # a mechanism without which the bench's own check fails
-        with open(file, encoding="utf-8") as text:
-            head = json.load(text)
-        rows[name] = head["rows"]
-    return quantities(rows), head
+
+
+def report(copy, arguments, core=None):
+    """Of one run of the copy's bench; None if it fails."""
+    file = copy.path("build/ablation.json")
+    on_core = [] if core is None else ["taskset", "-c", str(core)]
+    status, output = copy.run(*on_core, copy.path("build/release/cusp-bench"), *arguments, "--json", file)
+    if status != 0:
+        print(f"{arguments[0]} ends with {status}: {output[-500:]}", file=sys.stderr, flush=True)
+        return None
+    with open(file, encoding="utf-8") as text:
+        return json.load(text)
+
+
+def measure(copy, runs, core):
+    """Quantities of the copy as it is now."""
+    build(copy, ["cusp-bench"])
+    rows = {name: [] for name in RUNS}
+    for name in runs:
+        found = report(copy, RUNS[name], core)
+        if found is None:
+            return {f"fails: cusp-bench {name}": 1.0}
+        rows[name] = found["rows"]
+    return {name: value for name, value in quantities(rows).items() if not math.isnan(value)}
+
+
+def failing(copy):
+    """[test that fails]: 1, of the copy as it is now."""
+    build(copy, TESTS)
+    _, output = copy.test("release", TESTS)
+    return {f"fails: {name}": 1.0 for name in dict.fromkeys(re.findall(r"\[  FAILED  \] (\w+\.\w+)", output))}
 
 
 def commit():
@@ -139,7 +159,9 @@ def main():
     arguments.add_argument("csv", nargs="?")
     arguments.add_argument("parts", nargs="*")
     arguments.add_argument("--folder", default=os.path.join(ROOT, "build", "ablation"))
-    arguments.add_argument("--only", default="")
+    arguments.add_argument("--only", action="append", default=[])
+    arguments.add_argument("--run", action="append", choices=RUNS)
+    arguments.add_argument("--tests", action="store_true")
     arguments.add_argument("--part", default="1/1")
     arguments.add_argument("--core", type=int)
     arguments.add_argument("--texts", action="store_true")
@@ -153,16 +175,15 @@ def main():
     if o.join:
         return join(o.csv, o.parts)
     k, n = (int(word) for word in o.part.split("/"))
-    asked = [m for m in MECHANISMS if o.only in m.name][k - 1::n]
+    asked = [m for m in MECHANISMS if not o.only or any(word in m.name for word in o.only)][k - 1::n]
     copy, at, rows = Copy(o.folder), commit(), []
+    build(copy, ["cusp-bench"])
+    head = report(copy, ["removal", "--method", "surface", "--measure", "mixed"])
 
     def note(name, part):
-        found, head = measure(copy, o.core)
-        if found is None:
-            found = {"fails": 1.0}
-        rows.extend([name, part, quantity, f"{value:.6g}"] for quantity, value in found.items() if not math.isnan(value))
-        if head:
-            write(o.csv, f"# commit {at}, engine {head['engine']}, machine {head['machine']}", rows)
+        found = failing(copy) if o.tests else measure(copy, o.run or RUNS, o.core)
+        rows.extend([name, part, quantity, f"{value:.6g}"] for quantity, value in found.items())
+        write(o.csv, f"# commit {at}, engine {head['engine']}, machine {head['machine']}", rows)
         print(name, flush=True)
 
     for i, mechanism in enumerate(asked):

@@ -38,6 +38,7 @@ def write_tables(tables):
         "removal.md": markdown_tables.removal(t["removal"], t.get("removal-full")),
         "figures.md": markdown_tables.figures(t),
         **({"milling.md": markdown_tables.milling(t["mill-full"])} if "mill-full" in t else {}),
+        **({"ablation.md": markdown_tables.ablation(t["ablation"])} if "ablation" in t else {}),
     }
 
 

@@ -18,6 +18,10 @@ import task_charts
 from tables import Missing, Row, Table, read, read_all
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "ablation"))
+
+from mechanisms import MECHANISMS
+
 RESULTS = HERE.parent / "results"
 README = HERE.parent / "README.md"
 PROJECT_README = HERE.parents[2] / "README.md"
@@ -147,6 +151,24 @@ class Committed(unittest.TestCase):
         with self.assertRaisesRegex(Missing, "inverted_cone 35"):
             markdown_tables.milling(table("mill-full", [{**row, "tick_us_mean": ""}]))
         self.assertNotIn("milling.md", draw.write_tables({name: rows for name, rows in self.tables.items() if name != "mill-full"}))
+
+    def test_a_mechanism_that_is_off_shows_what_changes_beyond_the_spread(self):
+        def rows(mechanism, **values):
+            return [{"mechanism": mechanism, "part": "search", "quantity": q, "value": str(v)} for q, v in values.items()]
+
+        angle, time, ticks = "cavity: angle mean, deg", "cavity: tick p50, us", "cuts: infeasible ticks"
+        shown = markdown_tables.ablation(table("ablation", [
+            *rows("as it stands", **{angle: 0.2, time: 4, ticks: 0}), *rows("as it stands", **{angle: 0.2, time: 5, ticks: 0}),
+            *rows("polish", **{angle: 3, time: 3, ticks: 7}), *rows("leap", **{angle: 0.21, time: 5.4, ticks: 0}), *rows("edges", **{"fails: Edges.hold": 1})]))
+        self.assertIn("| search | polish | cuts: infeasible ticks 0 → 7; cavity: angle mean 0.2 → 3 ° | cavity: tick p50 4 → 3 µs |", shown)
+        self.assertIn("| search | leap | – | – |", shown)
+        self.assertIn("| search | edges | Edges.hold fails | – |", shown)
+        with self.assertRaisesRegex(Missing, "as it stands"):
+            markdown_tables.ablation(table("ablation", rows("polish", **{angle: 3})))
+
+    def test_each_mechanism_was_measured(self):
+        measured = list(dict.fromkeys(row.text("mechanism") for row in self.tables["ablation"].rows))
+        self.assertEqual([markdown_tables.AS_IT_STANDS, *(m.name for m in MECHANISMS)], measured)
 
     def test_a_full_sweep_widens_the_table_of_removal_only_where_it_was_run(self):
         self.assertIn("all 36 burs", markdown_tables.removal(self.tables["removal"], self.tables["removal-full"]))

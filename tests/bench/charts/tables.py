@@ -4,8 +4,8 @@ import math
 import pathlib
 import re
 
-KINDS = ("accuracy", "cavity", "rate", "scale", "stability", "removal", "pace", "motion", "stability-full", "removal-full", "mill-full")
-OPTIONAL = ("cavity", "stability-full", "removal-full", "mill-full")
+KINDS = ("accuracy", "cavity", "rate", "scale", "stability", "removal", "pace", "motion", "stability-full", "removal-full", "mill-full", "ablation")
+OPTIONAL = ("cavity", "stability-full", "removal-full", "mill-full", "ablation")
 
 
 class Missing(Exception):
