@@ -33,7 +33,7 @@ EVERY = 8  # mechanisms between two measurements of the tree as it stands
 # Small samples of the bench's own rows: they compare, and the tables of results/ measure.
 RUNS = {
     "cavity": ["cavity", "--bur-radius-mm", "0.25", "--tremor-mm", "0.05", "--minutes", "2", "--budget-s", "0.6"],
-    "heads": ["heads", "--bur", "57", "--bur", "35", "--bur", "368-023", "--axis", "fixed", "--samples", "400"],
+    "heads": ["heads", "--bur", "57", "--bur", "35", "--bur", "368-023", "--bur", "862-012", "--axis", "fixed", "--samples", "400"],
     "mill": ["rate", "--full", "--bur", "4", "--bur", "57", "--axis", "fixed"],
     "accuracy": ["accuracy", "--method", "surface", "--bur-radius-mm", "0.5", "--samples", "1000"],
     "removal": ["removal", "--method", "surface", "--measure", "slide", "--measure", "ridge"],
