@@ -87,7 +87,7 @@ def quantities(rows):
         out[f"{name}: tick p99.9, us"] = row["tick_us_p999"]
         out[f"{name}: ticks deferred, %"] = row["deferred_percent"]
     out["removal: slide beyond its wear, um"] = worst(rows["removal"], "excess_um_max")
-    out["removal: ridges, um"] = max((abs(row["ridge_um"]) for row in rows["removal"] if "ridge_um" in row), default=math.nan)
+    out["removal: ridges below their wear, um"] = worst(rows["removal"], "ridge_um")
     return out
 
 
