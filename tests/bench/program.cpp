@@ -49,6 +49,16 @@ std::vector<std::string> bur_numbers() {
   return out;
 }
 
+std::vector<std::string> case_names() {
+  std::vector<std::string> out;
+  const auto add = [&out](const auto& names) { out.insert(out.end(), names.begin(), names.end()); };
+  add(kPressCases);
+  add(kMotionCases);
+  add(kFaultCases);
+  add(kTaskCases);
+  return out;
+}
+
 void add_options(CLI::App& app, Options& options, const Verb& verb) {
   const std::vector<std::string> methods(kMethodNames.begin(), kMethodNames.end());
   std::vector<std::string> shapes(kShapeNames.begin(), kShapeNames.end());
@@ -60,15 +70,7 @@ void add_options(CLI::App& app, Options& options, const Verb& verb) {
       ->check(CLI::IsMember(std::vector<std::string>{"press", "slide", "cutting"}));
   app.add_option("--task", options.tasks, "displacement, exploration, perforation or mill (repeatable)")
       ->check(CLI::IsMember(std::vector<std::string>{"displacement", "exploration", "perforation", "mill"}));
-  std::vector<std::string> cases;
-  const auto add_cases = [&cases](const auto& names) {
-    for (std::string_view name : names) cases.emplace_back(name);
-  };
-  add_cases(kPressCases);
-  add_cases(kMotionCases);
-  add_cases(kFaultCases);
-  add_cases(kTaskCases);
-  app.add_option("--case", options.cases, "stability: only this case (repeatable)")->check(CLI::IsMember(cases));
+  app.add_option("--case", options.cases, "stability: only this case (repeatable)")->check(CLI::IsMember(case_names()));
   app.add_option("--guard", options.guards, "stability: on or off (repeatable)")
       ->check(CLI::IsMember(std::vector<std::string>{"on", "off"}));
   app.add_option("--device", options.devices, "stability: m0.1-b2 is 0.1 kg and 2 N s/m (repeatable)")
