@@ -17,7 +17,7 @@ constexpr double kPressAboveMm = 0.05;        // where a press starts
 constexpr double kPressStepMm = 0.05;        // a tick: 50 mm/s
 constexpr double kNotFiniteMm = 1000.0;  // error of a value that is not a number
 constexpr int kPressRestTicks = 10;           // before the sample: some methods arrive late
-constexpr double kNoBudgetS = 1e6;
+constexpr double kNoBudgetS = 1e6;            // samples end a row long before
 constexpr int kFollowMost = 100;         // ticks; a later method counts as wrong
 
 double mean(const std::vector<double>& values) {

@@ -5,11 +5,11 @@
   ablate.py --texts                         only looks for the texts to be replaced, in the caller's tree
   ablate.py --join CSV PART ...             joins what several parts measured, of one commit and engine
 
-FOLDER (default build/ablation) keeps the copy with its build folder; the caller's tree is never changed. --part: every Nth
-mechanism, so that parts run beside each other in folders of their own. --only: whose name holds a WORD. --run: only these of RUNS. --tests: runs TESTS instead, and notes
-which fail. --core: runs stay on this core.
+FOLDER (default build/ablation) keeps the copy with its build folder; the caller's tree is never changed.
+--only: mechanisms whose name holds a WORD. --run: only these of RUNS. --tests: runs TESTS instead, and notes which fail.
+--part: every Nth mechanism, so that parts run beside each other in folders of their own. --core: runs stay on this core.
 The tree as it stands is measured first, after every eighth mechanism, and last: their spread is that of the machine.
-Exit status 1: an edit does not build or a run fails; 2: a text to be replaced is gone, so mechanisms.py is out of date.
+A run that fails is a row of its mechanism. Exit status 1: an edit does not build; 2: a text to be replaced is gone, so mechanisms.py is out of date.
 """
 import argparse
 import csv
@@ -79,8 +79,8 @@ def quantities(rows):
     for name, of in (("heads", [r for r in rows["heads"] if r["shape"] != "slot"]), ("head's slot", [r for r in rows["heads"] if r["shape"] == "slot"])):
         accuracy(name, of, mean, "p95")
         time(name, of)
-    out["clean: candidates, most"] = worst(clean, "max_candidates")
-    out["heads: candidates, most"] = worst(rows["heads"], "max_candidates")
+    out["clean: most candidates"] = worst(clean, "max_candidates")
+    out["heads: most candidates"] = worst(rows["heads"], "max_candidates")
     for row in rows["mill"]:
         name = "milling, " + row["bur"].replace("_", " ")
         out[f"{name}: tick mean, us"] = row["tick_us_mean"]
