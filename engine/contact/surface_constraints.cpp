@@ -17,6 +17,7 @@ constexpr double kLeavesTangent = 0.25;  // voxels that a cell's edge leaves its
 constexpr double kEdgeClose = 1e-4;      // voxels: leaves its distance off by 1e-8, the normal by 2e-6 degrees
 constexpr double kEdgeBends = 0.02;      // below, it bends about the place about as the ball does
 constexpr int kEdgeNewton = 4;           // steps of Newton along an edge
+constexpr double kMostMovedNow = 0.5;    // voxels: a neck's point is moved so far out of what is not carved
 
 }  // namespace
 
@@ -304,7 +305,7 @@ std::size_t SurfaceContact::add_shank_constraints(const Volume& volume, const To
     const double radius = t > reach.wide_from ? reach.thick : reach.slim;
     return glm::dot(d, d) - t * t <= radius * radius;
   };
-  TwoCylinders shape = there.cylinders(tool.axis, voxel_mm_);
+  TwoCylinders shape = shank_within(tool, slack_mm + kMostMovedOut * voxel_mm_).cylinders(tool.axis, voxel_mm_);
   shape.at = Vec3f((at - gathered_.centre) / voxel_mm_);
   const std::size_t from = ball_count_;
   std::size_t looked = 0;
@@ -312,8 +313,9 @@ std::size_t SurfaceContact::add_shank_constraints(const Volume& volume, const To
     const std::size_t i = from + static_cast<std::size_t>(k);
     known_of(volume, tool, i);
     ++looked;
-    const Vec3 p = candidates_[i].point;
-    if (touches(there, at, p) && touches(shank, centre, p)) constrain(i, bounded_plane_of(tool, candidates_[i], at, slack_mm));
+    Candidate c = candidates_[i];
+    if (walls_.uncarved_holds(c.point) && !walls_.move_out(volume, walls_.cutting().uncarved, kMostMovedNow * voxel_mm_, c.point)) return;
+    if (touches(there, at, c.point) && touches(shank, centre, c.point)) constrain(i, bounded_plane_of(tool, c, at, slack_mm));
   });
   return looked;
 }

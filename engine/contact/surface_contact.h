@@ -127,6 +127,9 @@ class SurfaceContact {
   static constexpr double kTolerance = 1e-7;        // mm: planes closer than a tenth of a nanometre count as met
   static constexpr double kTangentsHoldMm = 1e-3;  // after a smaller move constraints are good to 2 nm
   static constexpr double kLongestStep = 0.08;      // mm: longest reach of one search
+  /// Voxels: so far the fields leave a neck's point within what balls have swept. One that stays blocks a neck which the ball's own
+  /// walls let pass (tests/engine/step/neck.cpp).
+  static constexpr double kMostMovedOut = 0.1;
   static constexpr double kPlaneReach = 0.8;        // voxels beside its point within which a plane stands for the surface
   static_assert(kPlaneReach >= kHalfEdge, "a head that is gathered for planes has its edges too");
   static constexpr std::uint16_t kNoBur = 0xffff;  // of a ball that no scene names
@@ -195,6 +198,7 @@ class SurfaceContact {
     bool valid = false;
     Vec3 axis{0.0};
     std::uint64_t revision = 0;  // of the cut's surface
+    std::int32_t carved = 0;     // sweeps
   };
   /// Free poses: within margin of centre and, if bounded, beyond a plane that no tissue nearby crosses.
   struct FreeSpace {

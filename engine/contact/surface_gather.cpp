@@ -11,6 +11,7 @@ namespace {
 // Margin of the candidates, in steps: they serve while the bur stays within it. With 8 steps p99 of exploring is 1.18 of this.
 constexpr double kStepsAhead = 5.0, kStepsMeanwhile = 2.0;
 constexpr double kLeastMargin = 0.06;  // mm
+constexpr double kGoneMm = 1e9;        // where no bur reaches
 /// Voxels from an inner edge to where its rounding ends: a cell's field reads one sample beyond it.
 constexpr double kRimReach = 1.0;
 
@@ -50,6 +51,8 @@ void SurfaceContact::make(const Volume& volume, const Tool& tool, std::size_t i)
     base_feature(surface, points, source.index, grid.voxel_mm, base);
   }
   out.point = grid.origin_mm + grid.voxel_mm * (Vec3(IVec3(source.x, source.y, source.z) * kBrickEdge) + place);
+  if (source.kind == Kind::shank && sweeps_.size() > 0 && !walls_.move_out(volume, {0, -1}, kMostMovedOut * voxel_mm_, out.point))
+    out.point = Vec3(kGoneMm);
   out.normal = Vec3(feature->normal);
   out.level = glm::dot(out.normal, out.point);
   out.kind = source.kind;
@@ -125,7 +128,7 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
   insides_.clear();
   const double per_mm = 1.0 / voxel_mm_;
   // With the shank's cells in the same bricks: what brings a brick's cells up to date moves its pages.
-  TwoCylinders shank = shank_within(tool, margin_mm).cylinders(tool.axis, voxel_mm_);
+  TwoCylinders shank = shank_within(tool, margin_mm + kMostMovedOut * voxel_mm_).cylinders(tool.axis, voxel_mm_);
   const auto shank_cells = [&shank](Vec3f local, unsigned slices) {
     shank.at = local;
     return CellsNear::cylinders(shank, slices);
@@ -176,7 +179,7 @@ SurfaceContact::Reach SurfaceContact::head_within(const Tool& tool, double margi
 
 void SurfaceContact::gather_shank(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm) noexcept {
   const bool edges = edges_;  // an edge of theirs is a point
-  bricks_within(volume, tool.axis, centre, shank_within(tool, margin_mm), [&](int brick, IVec3 at, const TwoCylinders& shape) {
+  bricks_within(volume, tool.axis, centre, shank_within(tool, margin_mm + kMostMovedOut * voxel_mm_), [&](int brick, IVec3 at, const TwoCylinders& shape) {
     const CylinderLanes inside(shape);
     gather_from(volume, tool, centre, brick, at, ToolPart::shank, [&](Vec3f, unsigned slices) { return CellsNear::cylinders(shape, slices); },
                 [&](const float* x, const float* y, const float* z, int count, Vec3f, bool, auto&& pass) {
@@ -191,7 +194,7 @@ void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre,
   const Gathered& g = gathered_;
   const Vec3 off = centre - g.centre;
   const double left = g.margin_mm - step;
-  if (!(g.valid && g.revision == cut_.revision() && g.bur == tool.index && g.axis == tool.axis && left >= 0.0 &&
+  if (!(g.valid && g.revision == cut_.revision() && g.carved == walls_.cutting().end && g.bur == tool.index && g.axis == tool.axis && left >= 0.0 &&
         glm::dot(off, off) <= left * left)) {
     // While the bur cuts it serves until the next piece is carved, while edges are found or the axis turns until the next tick.
     const double steps = all_resolved_ && gathered_.axis == tool.axis ? kStepsAhead : kStepsMeanwhile;
@@ -201,7 +204,7 @@ void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre,
     ball_count_ = count_;
     gather_shank(volume, tool, centre, margin);
     shank_count_ = count_ - ball_count_;
-    gathered_ = {centre, margin, tool.index, true, tool.axis, cut_.revision()};
+    gathered_ = {centre, margin, tool.index, true, tool.axis, cut_.revision(), walls_.cutting().end};
   }
   count_ = ball_count_ + shank_count_;
 }

@@ -26,7 +26,7 @@ bool SurfaceContact::shank_free(const Volume& volume, const Tool& tool, Vec3 pos
   const auto free = [&](double margin) {
     bool out = true;
     for_inside(&place_x_[from], &place_y_[from], &place_z_[from], near,
-               CylinderLanes(shank_within(tool, margin).cylinders(tool.axis, voxel_mm_)), [&out](int) { out = false; });
+               CylinderLanes(shank_within(tool, margin + kMostMovedOut * voxel_mm_).cylinders(tool.axis, voxel_mm_)), [&out](int) { out = false; });
     return out;
   };
   for (const double ahead : kShankAheadMm) {

@@ -84,11 +84,9 @@ PlaneSearch CavityWalls::nearest_under(const Side* side, int sides, Vec3 wanted)
   return closest_point(wanted, {plane, static_cast<std::size_t>(sides)}, 1e-9);
 }
 
-/// Moves x to about the place nearest to `at` that all sides leave standing: under one side alone, a search at a sharp edge
+/// Moves d.x to about the place nearest to `at` that all sides leave standing: under one side alone, a search at a sharp edge
 /// goes to and fro. False if it finds none.
-bool CavityWalls::settle(const Volume& volume, Vec3 at, Vec3& x) noexcept {
-  Descent d;
-  d.x = x;
+bool CavityWalls::settle(const Volume& volume, Vec3 at, Descent& d) noexcept {
   for (int pass = 0; pass < kSettlePasses; ++pass) {
     work_ += kDescentWork;
     if (!add_runs(volume, d)) return false;
@@ -96,7 +94,6 @@ bool CavityWalls::settle(const Volume& volume, Vec3 at, Vec3& x) noexcept {
     const PlaneSearch found = nearest_under(side, sides_at(volume, d, side), at - d.x);
     if (!found.feasible) return false;
     d.x += found.y;
-    x = d.x;
     if (length_of(found.y) < kPlaceMetMm) return true;
   }
   return false;

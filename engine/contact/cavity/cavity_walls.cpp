@@ -71,6 +71,20 @@ Sweeps::Deepest CavityWalls::deepest(const SweptRuns& runs, Vec3 x) const noexce
   return uncarved.depth_mm > out.depth_mm ? uncarved : out;
 }
 
+bool CavityWalls::move_out(const Volume& volume, SweepRun uncarved, double most_mm, Vec3& place) noexcept {
+  const bool any = uncarved.to >= uncarved.from;
+  if (!void_.runs_at(volume, place, cutting_.end).known) return !any;
+  const int before = work_;
+  Descent d;
+  d.x = place;
+  if (any) add_run(uncarved, d);
+  const bool found = settle(volume, place, d);
+  work_ = before;  // caches decide how often it is asked
+  const Vec3 by = d.x - place;
+  place = d.x;
+  return found && glm::dot(by, by) <= most_mm * most_mm;
+}
+
 /// Keeps the place of what is left that is about the nearest to `at`. False if there is none within reach.
 bool CavityWalls::sample_at(const Volume& volume, Vec3 at) noexcept {
   Vec3 x = at, inwards(0.0);
@@ -97,7 +111,12 @@ bool CavityWalls::sample_at(const Volume& volume, Vec3 at) noexcept {
     // What another sweep takes of so short a way is a tenth of it.
     met = std::fabs(depth) < kPlaceMetMm;
   }
-  if (!met && !settle(volume, at, x)) return false;
+  if (!met) {
+    Descent d;
+    d.x = x;
+    if (!settle(volume, at, d)) return false;
+    x = d.x;
+  }
   const Vec3 off = x - sampled_.at;
   const double far = sampled_.radius_mm + sampled_.slack_mm;
   if (glm::dot(off, off) > far * far) return false;

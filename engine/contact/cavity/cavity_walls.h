@@ -63,6 +63,11 @@ class CavityWalls {
   Held held_by_sweep(const Volume& volume, const Ball& ball, Vec3 device) noexcept;
   /// Poses near the ball where a ball at least as wide has cut: this one fits there too.
   std::span<const Vec3> past() const noexcept { return {past_, static_cast<std::size_t>(past_count_)}; }
+  /// Moves a place out of what balls have carved about it and of `uncarved`, onto what is left; not by more than most_mm. False if
+  /// there is nothing left so near.
+  bool move_out(const Volume& volume, SweepRun uncarved, double most_mm, Vec3& place) noexcept;
+  /// True if a sweep that is not carved holds a place.
+  bool uncarved_holds(Vec3 place) const noexcept { return cutting_.any() && sweeps_.holds(cutting_.uncarved, place, SweptVoid::kTakenMm); }
   /// Pre: volume.has_cut(brick).
   const SweptVoid::Known& known(const Volume& volume, int brick) noexcept { return void_.known(volume, brick); }
 
@@ -146,7 +151,7 @@ class CavityWalls {
     int sides = 0;
   };
   static PlaneSearch nearest_under(const Side* side, int sides, Vec3 wanted) noexcept;
-  bool settle(const Volume& volume, Vec3 at, Vec3& x) noexcept;
+  bool settle(const Volume& volume, Vec3 at, Descent& d) noexcept;
   bool to_surface(const Volume& volume, const Ball& ball, Descent& d) noexcept;
   void look(const Volume& volume, const Ball& ball) noexcept;
   void sample(const Volume& volume) noexcept;

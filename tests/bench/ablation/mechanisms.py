@@ -154,7 +154,7 @@ MECHANISMS = [
     mechanism("cavity", "ridges between places are looked for",
               (WALLS, "    if (a >= 0 && b >= 0) sample_between", "    if (false && a >= 0 && b >= 0) sample_between")),
     mechanism("cavity", "settle(): a place that two looks do not meet",
-              (WALLS, "  if (!met && !settle(volume, at, x)) return false;", "  if (!met) return false;")),
+              (WALLS, "  if (!met) {\n    Descent d;", "  if (!met) return false;\n  if (!met) {\n    Descent d;")),
     mechanism("cavity", "what was found serves on in the next tick",
               (WALLS, "  past_count_ = past_sweeps_ = 0;\n  feature_count_ =", "  release();\n  past_count_ = past_sweeps_ = 0;\n  feature_count_ =")),
     mechanism("cavity", "features found serve on in the next tick",
