@@ -279,11 +279,12 @@ std::vector<Row> removal_rows(const Options& options) {
   if (wants("order")) add_orders(rows);
   if (wants("slide")) add_slides(options.seed, rows);
   if (wants("ridge")) add_ridges(rows);
+  if (wants("hole")) add_holes(rows);
   return rows;
 }
 
 int run_removal(const Options& options) {
-  if (asked(options.measures, "tick") && !pin_to_core()) std::cerr << "cusp-bench: this thread could not be kept on one core\n";
+  if ((asked(options.measures, "tick") || asked(options.measures, "hole")) && !pin_to_core()) std::cerr << "cusp-bench: this thread could not be kept on one core\n";
   Report report = empty_report();
   report.rows = removal_rows(options);
   return write_report(report, options.json, print_removal);

@@ -6,6 +6,7 @@
 ///   mixed   half of the bur in one tissue, half in another
 ///   shape, volume, order   known strokes of a bur of every shape (--full: every bur), in halves and at other ticks
 ///   slide, ridge   cutting while sliding
+///   hole    widened in circles by each ball of the catalogue with its own neck: for how long a search does not end
 ///   tick    cost of a cutting tick
 #pragma once
 
@@ -18,8 +19,8 @@
 
 namespace cusp::bench {
 
-inline constexpr std::array<std::string_view, 9> kMeasures = {
-    "speed", "mixed", "depth", "shape", "volume", "order", "slide", "ridge", "tick"};
+inline constexpr std::array<std::string_view, 10> kMeasures = {
+    "speed", "mixed", "depth", "shape", "volume", "order", "slide", "ridge", "hole", "tick"};
 
 /// The paper's materials, "respectively dentin, bone and enamel", with their speeds in mm/s.
 struct RemovalTissue {
@@ -63,6 +64,7 @@ std::vector<DrillRun> speed_runs(const Options& options, Method method);
 inline constexpr double kLayerMm = 10.0 / 3.0;
 inline constexpr double kDepthBurMm = 0.5;  // "0.5 mm spherical drill bit", read as the larger of the two that it can mean
 void add_depths(Method method, std::vector<Row>& rows);
+void add_holes(std::vector<Row>& rows);
 
 std::vector<Row> removal_rows(const Options& options);
 int run_removal(const Options& options);

@@ -33,7 +33,7 @@ struct Row {
   std::string motion;              // press, slide; cavity: also cutting
   std::string axis;                // heads: fixed, turning, jitter
   std::string task;                // rate: displacement, exploration, perforation, mill
-  std::string measure;             // removal: speed, mixed, depth, shape, volume, order, slide, ridge, tick
+  std::string measure;             // removal: speed, mixed, depth, shape, volume, order, slide, ridge, hole, tick
   std::string bur;                // removal: its name, with the diameter; heads: shape and catalogue number
   std::string tissue;              // removal
   std::string direction;           // removal: +x-y, or the path of the bur
@@ -109,7 +109,7 @@ struct Row {
   double penetration_um = kAbsent;   // largest exact overlap at the method's proxy
   std::int64_t passed_through = -1;  // runs whose pivot entered the tissue or passed behind it
   std::int64_t stuck = -1;           // times
-  double stuck_ms = kAbsent;         // the longest
+  double stuck_ms = kAbsent;         // the longest; removal: ticks in a row whose search did not end
   double vibration_mn = kAbsent;     // tasks: peak to peak of force less exact force above 20 Hz
   double zero_ms = kAbsent;     // faults: from the first faulty input until the force is zero for good; absent: never;
                                 // fragment: from the cut

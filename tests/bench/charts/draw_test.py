@@ -192,10 +192,10 @@ class Figures(unittest.TestCase):
 
     def test_a_ridge_counts_loss_beyond_wear(self):
         def table_of(um):
-            fields = dict.fromkeys(("error_percent", "deviation_um_mean", "deviation_um_max", "excess_um_max", "tick_us_p99"), "0.5")
+            fields = dict.fromkeys(("error_percent", "deviation_um_mean", "deviation_um_max", "excess_um_max", "tick_us_p99", "stuck_ms"), "0.5")
             return table("removal", [dict(fields, method=m, measure=k, direction="-z", tick_ms="1", alpha="1", ridge_um=str(um))
                                      for m in ("surface", "occupancy")
-                                     for k in ("speed", "mixed", "order", "shape", "volume", "slide", "tick", "ridge")])
+                                     for k in ("speed", "mixed", "order", "shape", "volume", "slide", "tick", "hole", "ridge")])
         self.assertIn("| -7.2 µm |", markdown_tables.removal(table_of(-7.25)))
         self.assertIn("| 7.2 µm |", markdown_tables.removal(table_of(7.25)))
 

@@ -217,6 +217,8 @@ def removal(table, full=None):
         (f"all {burs(full)} burs, maximum", "10 µm", worst(resolved(full, "shape"), "deviation_um_max"), um, "–"),
         ("sliding while cutting: excess over the wear of a tick, maximum", "0.5 µm", worst(resolved(table, "slide"), "excess_um_max"), um, "–"),
         ("ridge between two cuts after 40 passes: height error", "5 µm", max(ridges, default=math.nan), um, "–"),
+        ("a hole widened in circles by each round bur, its own neck at the mouth: longest without a cut", "10 ms",
+         max((r.number("stuck_ms") for r in table.where(measure="hole")), default=math.nan), lambda value: f"{value:.0f} ms", "–"),
         ("cutting tick with the largest bur, p99", "250 µs", worst(resolved(table, "tick"), "tick_us_p99"), us,
          us(worst(resolved(table, "tick", "occupancy"), "tick_us_p99"))),
     ]
