@@ -64,6 +64,8 @@ std::vector<DrillRun> speed_runs(const Options& options, Method method);
 inline constexpr double kLayerMm = 10.0 / 3.0;
 inline constexpr double kDepthBurMm = 0.5;  // "0.5 mm spherical drill bit", read as the larger of the two that it can mean
 void add_depths(Method method, std::vector<Row>& rows);
+/// A block of plastic of 5 x 5 x 3.6 mm with its face at z = 0, and a bur with its own neck.
+std::shared_ptr<Scene> hole_scene(const Bur& bur);
 void add_holes(std::vector<Row>& rows);
 
 std::vector<Row> removal_rows(const Options& options);

@@ -18,6 +18,8 @@ constexpr double kDownMmS = 0.5, kLowestMm = 0.9;     // of the device under whe
 constexpr double kWearMmS = 4.0;                       // at 1 N/mm: as the built-in exercises' plastic
 constexpr std::int64_t kTicks = 4000;
 
+}  // namespace
+
 std::shared_ptr<Scene> hole_scene(const Bur& bur) {
   constexpr int kPadding = 4;
   const double v = kPaperVoxelMm;
@@ -33,8 +35,6 @@ std::shared_ptr<Scene> hole_scene(const Bur& bur) {
   scene->guard = unguarded();
   return scene;
 }
-
-}  // namespace
 
 void add_holes(std::vector<Row>& rows) {
   std::vector<double> radii;
