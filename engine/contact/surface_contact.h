@@ -302,6 +302,7 @@ class SurfaceContact {
   void build_further(const Tool& tool, const PlaneSearch& found, double off, int pass, PlaneSolve& s) noexcept;
   void constrain_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
   bool deep_in_edge(Vec3 at) const noexcept;
+  static bool shorten(PlaneSearch& found, PlaneSolve& s) noexcept;
   bool make_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
   void go_to(const PlaneSearch& found, const Polished& polished, double whole, PlaneSolve& s) const noexcept;
   bool settled(const Tool& tool, const PlaneSearch& found, const Polished& polished, PlaneSolve& s) const noexcept;

@@ -19,6 +19,8 @@ constexpr double kAgainMm = 0.03;           // mm: constraints of a later pass a
 constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less in another pass has converged
 constexpr double kRollsMm = 1e-7;           // mm: the same while it rolls over an edge
 constexpr int kPasses = 10;                 // of a search
+constexpr int kTurnsFreely = 2;             // that a head's search may turn back with steps of any length
+constexpr double kLeastTrustMm = 0.004;     // shortest step of one that turns back more often: it ends there
 
 }  // namespace
 
@@ -44,6 +46,9 @@ struct SurfaceContact::PlaneSolve {
   bool left = false;        // the step ends before the search does
   bool rolling = false;
   double next_step = 0.0;
+  Vec3 way{0.0};            // of the last pass
+  double trust = 1e9;       // longest way of a pass, mm
+  int turns = 0;            // back
   /// A head's last pass: its active planes' candidates, where it led, and how far that was from where they were built.
   struct Creep {
     int planes = 0;
@@ -158,6 +163,19 @@ bool SurfaceContact::deep_in_edge(Vec3 at) const noexcept {
   return false;
 }
 
+/// Where a head's search goes to and fro between places whose planes lead to each other, its ways are halved at each turn.
+/// True if the one to `found` was shortened.
+bool SurfaceContact::shorten(PlaneSearch& found, PlaneSolve& s) noexcept {
+  const Vec3 way = found.y - s.y;
+  const double far = length_of(way);
+  if (far > kLeastTrustMm && glm::dot(way, s.way) < 0.0 && ++s.turns > kTurnsFreely)
+    s.trust = std::max(kLeastTrustMm, 0.5 * std::min(s.trust, length_of(s.way)));
+  const bool shortened = far > s.trust;
+  if (shortened) found.y = s.y + way * (s.trust / far);
+  s.way = found.y - s.y;
+  return shortened;
+}
+
 /// One pass. True if the search goes on.
 bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept {
   candidates_left_ -= kCandidatesOfPass;
@@ -170,7 +188,7 @@ bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolv
     return true;
   }
   bool infeasible = false;
-  const PlaneSearch found = search_planes(s.y, s.device, infeasible);
+  PlaneSearch found = search_planes(s.y, s.device, infeasible);
   if (infeasible && s.uses_prediction) {
     // Constraints built at a predicted pose may contradict each other: they are built again at the present one.
     s.uses_prediction = false;
@@ -189,11 +207,12 @@ bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolv
     build_further(tool, found, off, pass, s);
     return true;
   }
+  const bool shortened = !tool.ball() && shorten(found, s);
   const double whole = length_of(found.y - s.centre);
   s.left = whole > s.step;
   Polished polished;
-  if (!s.left && found.active > 0) polished = polish(volume, tool, s.y, s.device, found);
-  if (found.active > 0 && !polished.accepted && !s.with_foot) {
+  if (!s.left && !shortened && found.active > 0) polished = polish(volume, tool, s.y, s.device, found);
+  if (found.active > 0 && !shortened && !polished.accepted && !s.with_foot) {
     // No smooth foot for each constraint: from here on the point under the push is a candidate too.
     s.with_foot = true;
     s.left = false;
@@ -201,10 +220,12 @@ bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolv
     return true;
   }
   go_to(found, polished, whole, s);
-  active_set_.fresh = !polished.accepted && !s.left;
+  active_set_.fresh = !polished.accepted && !s.left && !shortened;
   active_set_.room_mm = s.within - off;
   note(volume, found, polished, s.out);
-  return !s.left && !settled(tool, found, polished, s);
+  // The answer lies between two such poses.
+  s.arrived = s.turns > kTurnsFreely + 1 && s.trust <= kLeastTrustMm;
+  return !s.arrived && !s.left && !settled(tool, found, polished, s);
 }
 
 /// Moves the pose to what was found, at most by the step. whole: how far that is from where the search began, mm.

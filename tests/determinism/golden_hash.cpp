@@ -95,7 +95,7 @@ TEST(GoldenHash, drilling_with_the_surface_proxy) {
 }
 TEST(GoldenHash, drilling_with_a_fissure_and_a_pear) {
   EXPECT_EQ(run(Method::surface, Task::drilling, heads()),
-            (Golden{5755337177390706166ull, 4600659807812207236ull, 2381930257320420675ull}));
+            (Golden{16216389789817046934ull, 13968606030085862699ull, 293022705623288472ull}));
 }
 TEST(GoldenHash, drilling_with_the_papers_proxy) {
   EXPECT_EQ(run(Method::occupancy, Task::drilling),
