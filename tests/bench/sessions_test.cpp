@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "scenarios/burs/bur_catalogue.h"
 #include "tests/bench/head_courses.h"
@@ -63,6 +64,33 @@ TEST(Sessions, let_no_bur_of_the_catalogue_stand_still) {
       }
       EXPECT_LE(longest, 60) << entry.bur.name << ", session " << session << ": ms without a cut";
     }
+  }
+}
+
+/// A ball and a head by turns, two seconds each: in the hole that the other has made.
+TEST(Sessions, let_no_bur_stand_still_in_another_s_hole) {
+  std::vector<const CatalogueBur*> balls, heads;
+  for (const CatalogueBur& entry : bur_catalogue()) (entry.bur.head.ball() ? balls : heads).push_back(&entry);
+  for (std::uint64_t seed = 0; seed < 36; ++seed) {
+    const Bur &ball = balls[seed % balls.size()]->bur, &head = heads[seed % heads.size()]->bur;
+    const auto scene = hole_scene(ball);
+    scene->tilt_cosine = 0.5;
+    scene->burs.push_back(head);
+    const Hand hand(ball, seed);
+    StepState state(scene);
+    int run = 0, longest = 0;
+    for (int tick = 0; tick < kTicks; ++tick) {
+      StepInput input = hand.at(tick);
+      const int of_turn = tick % 2000;
+      input.bur = static_cast<std::uint16_t>(tick / 2000 % 2);
+      if (of_turn < 400) {  // out of the hole and back, for the other
+        input.buttons = 0;
+        input.z += static_cast<std::int32_t>(4e4 * std::sin(std::numbers::pi * of_turn / 400.0));
+      }
+      run = step(state, input).deferred ? run + 1 : 0;
+      longest = std::max(longest, run);
+    }
+    EXPECT_LE(longest, 60) << ball.name << " and " << head.name << ", session " << seed << ": ms without a cut";
   }
 }
 
