@@ -90,7 +90,7 @@ def milling(full):
         name = row.text("bur").replace("_", " ") + (f", {row.number('minutes'):g} min" if row.number("minutes") > least else "")
         rows.append([name, row.text("axis"), tick(row), small(row.number("work_us_max")), f"{row.number('deferred_percent'):.2g}"])
     return lines(["bur", "axis", "tick mean · p99.9 · p99.99, µs", "most counted work, µs", "ticks deferred, %"], rows) + (
-        f"\n{full.source}: each bur mills for {least:g} minutes at 5 mm/s with a tremor of {CAVITY_TREMOR_MM} mm, its axis fixed or jittering by "
+        f"\n{full.source}: each bur mills for {least:g} minutes at 5 mm/s with a tremor of {CAVITY_TREMOR_MM} mm, on a thin neck of 0.1 mm, its axis fixed or jittering by "
         "0.1 degrees; thread CPU time. Counted work: of the search for the proxy, by the line that fits the row's ticks best.\n")
 
 
@@ -231,7 +231,7 @@ def removal(table, full=None):
     head = ["worst of", "goal", "surface proxy (Cusp)", "occupancy proxy (the paper)"]
     of_full = f" (--full: {full.version})" if full and full.commit != table.commit else ""
     return lines(head, rows) + (f"\n{table.source}{of_full}: solid blocks, round burs of 0.5 to 2.3 mm and a fissure of 1.0 mm, voxels of 0.04 "
-                                f"to 0.2 mm; burs under three voxels of radius are left out. Shapes and volumes of strokes: {len(shaped)} burs.\n")
+                                f"to 0.2 mm; burs under three voxels of radius are left out. But for the row of holes, balls have thin necks. Shapes and volumes of strokes: {len(shaped)} burs.\n")
 
 
 def burs(full):
