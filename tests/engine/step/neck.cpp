@@ -2,7 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <memory>
+#include <numbers>
+#include <ostream>
 #include <vector>
 
 #include "engine/step/state.h"
@@ -72,7 +76,7 @@ TEST_P(AtTheMouth, the_neck_stays_within_what_the_ball_has_swept) {
     if (tick % 60 != 0) continue;
     for (const double under : {0.0, 0.05, 0.1})
       for (int k = 0; k < 48; ++k) {
-        const double angle = 2.0 * 3.14159265358979 * k / 48.0;
+        const double angle = 2.0 * std::numbers::pi * k / 48.0;
         const Vec3 p(out.proxy_mm.x + of.neck_mm * std::cos(angle), out.proxy_mm.y + of.neck_mm * std::sin(angle), kFaceMm - under);
         if (p.z > out.proxy_mm.z) deepest = std::max(deepest, unswept_mm(p));
       }
