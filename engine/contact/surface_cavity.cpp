@@ -110,7 +110,7 @@ void SurfaceContact::add_cavity(const Volume& volume, const Tool& tool, Vec3 at,
   }
 }
 
-/// Keeps the planes of surface and shank that hold the ball at `at`.
+/// Keeps the planes of surface and shank that hold the bur at `at`.
 void SurfaceContact::keep_planes(const PlaneSearch& found, Vec3 at) noexcept {
   for (int a = 0; a < found.active; ++a) {
     const auto i = static_cast<std::size_t>(found.index[a]);
@@ -121,12 +121,12 @@ void SurfaceContact::keep_planes(const PlaneSearch& found, Vec3 at) noexcept {
   }
 }
 
-/// Adds the planes that were kept near `at`.
-void SurfaceContact::add_kept(Vec3 at) noexcept {
+/// Adds the planes that were kept within_mm of `at`.
+void SurfaceContact::add_kept(Vec3 at, double within_mm) noexcept {
   for (int k = 0; k < kept_planes_.count(); ++k) {
     const KeptPlane& kept = kept_planes_[k];
     const Vec3 off = at - kept.seen_from;
-    if (glm::dot(off, off) > kKeptPlaneMm * kKeptPlaneMm) continue;
+    if (glm::dot(off, off) > within_mm * within_mm) continue;
     if (planes_.size() == candidates_.size()) {
       overflow_ = true;
       return;
@@ -145,7 +145,7 @@ void SurfaceContact::constrain_in_cavity(const Volume& volume, const Tool& tool,
   past_count_ = static_cast<int>(walls_.past().size());
   std::copy(walls_.past().begin(), walls_.past().end(), past_.begin());
   relax_by_past(0, own);
-  add_kept(at);
+  add_kept(at, kKeptPlaneMm);
 }
 
 /// The point nearest to z in the metric that meets planes_. Weights are those of the planes as they stand.

@@ -79,10 +79,15 @@ void SurfaceContact::forget() noexcept {
   free_pause_ = 0;
 }
 
+bool SurfaceContact::of_shank(const Origin& origin) const noexcept {
+  if (origin.kept >= 0) return kept_planes_[origin.kept].of_shank;
+  return candidates_[static_cast<std::size_t>(origin.candidate)].kind == Kind::shank;
+}
+
 void SurfaceContact::relax_by_past(std::size_t from, std::size_t to) noexcept {
   // Neck and shank do not cut, so the head's past poses leave them no room.
   planes_.recede_to({past_.data(), static_cast<std::size_t>(past_count_)}, kMemorySlack, from, to,
-                    [&](std::size_t i) { return candidates_[static_cast<std::size_t>(origins_[i].candidate)].kind != Kind::shank; },
+                    [&](std::size_t i) { return !of_shank(origins_[i]); },
                     [&](std::size_t i) { origins_[i].relaxed = true; });
 }
 

@@ -277,6 +277,7 @@ class SurfaceContact {
   void planes(const Tool& tool, Vec3 y, std::size_t from, std::size_t to, double slack_mm) noexcept;
   Constraint plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm) const noexcept;
   void find_past(const Tool& tool, Vec3 at) noexcept;
+  bool of_shank(const Origin& origin) const noexcept;
   void relax_by_past(std::size_t from, std::size_t to) noexcept;
   bool nearest_on(const Candidate& edge, double far_mm, Vec3& off, Vec3& along, double& curved) const noexcept;
   static constexpr double kLongestLeap = 10.0, kFarthestLeapMm = 0.3;  // the first in moves of the last pass
@@ -288,7 +289,7 @@ class SurfaceContact {
   glm::dmat3 bend_of(const PlaneSearch& found, Vec3 at) const noexcept;
   void constrain_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, double slack_mm) noexcept;
   void keep_planes(const PlaneSearch& found, Vec3 at) noexcept;
-  void add_kept(Vec3 at) noexcept;
+  void add_kept(Vec3 at, double within_mm) noexcept;
   void add_cavity(const Volume& volume, const Tool& tool, Vec3 at, double slack_mm) noexcept;
   PlaneSearch nearest_in_metric(const Metric& metric, Vec3 y, Vec3 z, bool& infeasible) noexcept;
   static constexpr double kNearCavityMm = 0.02;  // beyond a step: a ball this near to what balls have cut is solved in the cavity
@@ -302,7 +303,7 @@ class SurfaceContact {
   void build_further(const Tool& tool, const PlaneSearch& found, double off, int pass, PlaneSolve& s) noexcept;
   void constrain_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
   bool deep_in_edge(Vec3 at) const noexcept;
-  static bool shorten(PlaneSearch& found, PlaneSolve& s) noexcept;
+  bool turn_back(PlaneSearch& found, PlaneSolve& s) noexcept;
   bool make_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
   void go_to(const PlaneSearch& found, const Polished& polished, double whole, PlaneSolve& s) const noexcept;
   bool settled(const Tool& tool, const PlaneSearch& found, const Polished& polished, PlaneSolve& s) const noexcept;

@@ -19,8 +19,8 @@ constexpr double kAgainMm = 0.03;           // mm: constraints of a later pass a
 constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less in another pass has converged
 constexpr double kRollsMm = 1e-7;           // mm: the same while it rolls over an edge
 constexpr int kPasses = 10;                 // of a search
-constexpr int kTurnsFreely = 2;             // that a head's search may turn back with steps of any length
-constexpr double kLeastTrustMm = 0.004;     // shortest step of one that turns back more often: it ends there
+constexpr double kKeptPlaneMm = 0.2;        // planes of earlier passes hold this far about them, once a head's search turns back
+constexpr double kLeastTrustMm = 0.004;     // shortest step of one that turns back: it ends there
 
 }  // namespace
 
@@ -134,6 +134,7 @@ void SurfaceContact::constrain_pass(const Volume& volume, const Tool& tool, Plan
     planes(tool, s.at, s.at_hand, count_, s.within);
     count_ = s.at_hand;
   }
+  if (s.turns > 0) add_kept(s.at, kKeptPlaneMm);
   find_past(tool, s.at);
   relax_by_past(0, planes_.size());
 }
@@ -163,17 +164,21 @@ bool SurfaceContact::deep_in_edge(Vec3 at) const noexcept {
   return false;
 }
 
-/// Where a head's search goes to and fro between places whose planes lead to each other, its ways are halved at each turn.
-/// True if the one to `found` was shortened.
-bool SurfaceContact::shorten(PlaneSearch& found, PlaneSolve& s) noexcept {
+/// Where a head's search goes to and fro between places whose planes lead to each other, its ways are halved at each turn, and
+/// the planes of both hold it. True if they do, or if the way to `found` was shortened.
+bool SurfaceContact::turn_back(PlaneSearch& found, PlaneSolve& s) noexcept {
   const Vec3 way = found.y - s.y;
   const double far = length_of(way);
-  if (far > kLeastTrustMm && glm::dot(way, s.way) < 0.0 && ++s.turns > kTurnsFreely)
+  if (far > kLeastTrustMm && glm::dot(way, s.way) < 0.0) {
+    ++s.turns;
     s.trust = std::max(kLeastTrustMm, 0.5 * std::min(s.trust, length_of(s.way)));
-  const bool shortened = far > s.trust;
-  if (shortened) found.y = s.y + way * (s.trust / far);
+  }
+  bool held = far > s.trust;
+  if (held) found.y = s.y + way * (s.trust / far);
   s.way = found.y - s.y;
-  return shortened;
+  for (int a = 0; a < found.active; ++a) held = held || origins_[static_cast<std::size_t>(found.index[a])].kept >= 0;
+  keep_planes(found, s.at);
+  return held;
 }
 
 /// One pass. True if the search goes on.
@@ -207,12 +212,12 @@ bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolv
     build_further(tool, found, off, pass, s);
     return true;
   }
-  const bool shortened = !tool.ball() && shorten(found, s);
+  const bool held = !tool.ball() && turn_back(found, s);
   const double whole = length_of(found.y - s.centre);
   s.left = whole > s.step;
   Polished polished;
-  if (!s.left && !shortened && found.active > 0) polished = polish(volume, tool, s.y, s.device, found);
-  if (found.active > 0 && !shortened && !polished.accepted && !s.with_foot) {
+  if (!s.left && !held && found.active > 0) polished = polish(volume, tool, s.y, s.device, found);
+  if (found.active > 0 && !held && !polished.accepted && !s.with_foot) {
     // No smooth foot for each constraint: from here on the point under the push is a candidate too.
     s.with_foot = true;
     s.left = false;
@@ -220,11 +225,11 @@ bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolv
     return true;
   }
   go_to(found, polished, whole, s);
-  active_set_.fresh = !polished.accepted && !s.left && !shortened;
+  active_set_.fresh = !polished.accepted && !s.left && !held;
   active_set_.room_mm = s.within - off;
   note(volume, found, polished, s.out);
   // The answer lies between two such poses.
-  s.arrived = s.turns > kTurnsFreely + 1 && s.trust <= kLeastTrustMm;
+  s.arrived = s.turns > 1 && s.trust <= kLeastTrustMm;
   return !s.arrived && !s.left && !settled(tool, found, polished, s);
 }
 
@@ -266,6 +271,7 @@ bool SurfaceContact::settled(const Tool& tool, const PlaneSearch& found, const P
 Contact SurfaceContact::solve_by_planes(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, Vec3 predicted, double step,
                                         double most_mm) noexcept {
   PlaneSolve s;
+  kept_planes_.clear();
   s.device = device;
   s.y = from;
   s.predicted = predicted;

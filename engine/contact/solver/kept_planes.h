@@ -1,4 +1,4 @@
-/// Planes that held a ball in earlier passes of a search that goes to and fro. Where the nearest cell changes with the pose, a
+/// Planes that held a bur in earlier passes of a search that goes to and fro. Where the nearest cell changes with the pose, a
 /// pass knows but one of two planes; together they end the search. Thread: haptic. No heap.
 #pragma once
 
