@@ -239,8 +239,8 @@ Contact SurfaceContact::solve_in_cavity(const Volume& volume, const Tool& tool, 
     const auto jump = turns > 0 ? CavityWalls::Jump::keeps_both : CavityWalls::Jump::replaces;
     arrived = !refine_in_cavity(volume, tool, y, found, jump, steps) && std::min(far, trust) < kSettledMm;
     // The answer lies between two such poses.
-    arrived = arrived || (turns >= kMostTurns && far < kLeastTrustMm);
-    const double grows = turns > 0 ? 1.0 : kTrustGrows;
+    arrived = arrived || (turns >= kMostTurns && std::min(far, trust) <= kLeastTrustMm);
+    const double grows = turns >= kMostTurns ? kTrustFalls : turns > 0 ? 1.0 : kTrustGrows;
     trust = std::clamp(far >= trust ? grows * trust : kTrustFalls * far, kLeastTrustMm, kMostTrustMm);
   }
   out.pose_mm = y;

@@ -91,7 +91,7 @@ TEST(GoldenHash, exploring_with_the_surface_proxy) {
 }
 TEST(GoldenHash, drilling_with_the_surface_proxy) {
   EXPECT_EQ(run(Method::surface, Task::drilling),
-            (Golden{16224432942810242484ull, 12794729361746421855ull, 15184284162158340528ull}));
+            (Golden{17130333414862704380ull, 11089140791038418623ull, 17352477576500851491ull}));
 }
 TEST(GoldenHash, drilling_with_a_fissure_and_a_pear) {
   EXPECT_EQ(run(Method::surface, Task::drilling, heads()),

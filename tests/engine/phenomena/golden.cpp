@@ -56,7 +56,7 @@ Golden run(Method method, Handpiece handpiece) {
 }
 
 TEST(GoldenHash, drilling_with_every_phenomenon_on_by_the_surface_proxy) {
-  EXPECT_EQ(run(Method::surface, Handpiece::turbine), (Golden{5319665350482620317ull, 13709952481937140298ull, 2317094041924102573ull}));
+  EXPECT_EQ(run(Method::surface, Handpiece::turbine), (Golden{18156389131884416127ull, 7949076309481869761ull, 12375951162036083969ull}));
 }
 TEST(GoldenHash, drilling_with_every_phenomenon_on_by_the_papers_proxy) {
   EXPECT_EQ(run(Method::occupancy, Handpiece::slow), (Golden{12214965102902366071ull, 2460960802914835284ull, 231246548968650938ull}));
