@@ -49,7 +49,7 @@ MECHANISMS = [
 
     # The search by planes.
     mechanism("search", "polish: the answer corrected on the fields",
-              (FOLLOW, "  if (!s.left && !shortened && found.active > 0) polished", "  if (false && !s.left && found.active > 0) polished")),
+              (FOLLOW, "  if (!s.left && !held && found.active > 0) polished", "  if (false && !s.left && found.active > 0) polished")),
     mechanism("search", "polish: none where four planes enclose the head",
               (POLISH, "  if (!group_surfaces(found, t) || enclosed(found, t)) return out;", "  if (!group_surfaces(found, t) || (false && enclosed(found, t))) return out;")),
     mechanism("search", "polish: none where the field is creased",
