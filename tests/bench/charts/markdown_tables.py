@@ -141,7 +141,7 @@ def ablation(table):
     return lines(["part", "mechanism", "worse without it", "better without it"], rows) + (
         f"\n{table.source}: each mechanism alone is off, by an edit of ablation/mechanisms.py. Of short runs on one core: balls of 0.25 and 0.5 mm explore what "
         f"0.4 mm has milled, clean shapes, cuts and channels with 0.5 mm, burs 57, 35, 368-023 and 862-012 on shapes and in their slots (means over the rows), 4 and 57 mill, balls widen holes with their own necks; else the worst row. "
-        f"Shown: what lies {100 * CHANGED:.0f} % beyond {times} measurements of the tree as it stands. "
+        f"Shown: what lies {100 * CHANGED:.0f} % beyond {times} measurements of the tree as it stands. Runs are short: one event can decide the mean of a worst row. "
         "Where that is little, the tests of ablation/ablate.py ran too: a test that fails is named.\n")
 
 
