@@ -87,11 +87,10 @@ def quantities(rows):
         out[f"{name}: tick p99.9, us"] = row["tick_us_p999"]
         out[f"{name}: ticks deferred, %"] = row["deferred_percent"]
     holes = [row for row in rows["removal"] if row["measure"] == "hole"]
-    if holes:
-        out["holes: infeasible ticks"] = sum(row["infeasible_ticks"] for row in holes)
-        out["holes: ticks deferred, %"] = worst(holes, "deferred_percent")
-        out["holes: without a cut, ms"] = worst(holes, "stuck_ms")
-        out["holes: tick mean, us"] = mean(holes, "tick_us_mean")
+    out["holes: infeasible ticks"] = sum(row["infeasible_ticks"] for row in holes) if holes else math.nan
+    out["holes: ticks deferred, %"] = worst(holes, "deferred_percent")
+    out["holes: without a cut, ms"] = worst(holes, "stuck_ms")
+    out["holes: tick mean, us"] = mean(holes, "tick_us_mean")
     out["removal: slide beyond its wear, um"] = worst(rows["removal"], "excess_um_max")
     out["removal: ridges below their wear, um"] = worst(rows["removal"], "ridge_um")
     return out
