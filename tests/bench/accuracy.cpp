@@ -77,7 +77,7 @@ std::vector<Row> accuracy_rows(const Options& options) {
         continue;
       }
       const std::vector<std::string_view> variants =
-          name == "cut" ? std::vector<std::string_view>{"single", "crossing"} : std::vector<std::string_view>{""};
+          name == "cut" ? std::vector<std::string_view>{"single", "crossing", "drilled"} : std::vector<std::string_view>{""};
       for (const std::string_view variant : variants)
         shape_accuracy_rows(options, *make_shape(name, size.bur_radius_mm, variant), what, rows);
     }

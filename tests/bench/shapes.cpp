@@ -5,6 +5,7 @@
 #include <list>
 
 #include "tests/bench/cut_shape.h"
+#include "tests/bench/drilled_shape.h"
 #include "tests/bench/profile_shapes.h"
 #include "tests/bench/round_shapes.h"
 
@@ -58,6 +59,7 @@ constexpr std::size_t kKept = 6;
 std::unique_ptr<Shape> make_shape(std::string_view name, double bur_radius_mm, std::string_view variant) {
   if (auto shape = make_round_shape(name, bur_radius_mm)) return shape;
   if (auto shape = make_profile_shape(name, bur_radius_mm)) return shape;
+  if (name == "cut" && variant == "drilled") return make_drilled(bur_radius_mm);
   if (name == "cut") return make_cut(bur_radius_mm, variant == "crossing" ? CutKind::crossing : CutKind::single);
   if (name == "islet") return make_islet(bur_radius_mm);
   return nullptr;
@@ -88,6 +90,7 @@ std::shared_ptr<Scene> scene_of(const Shape& shape, Method method, double voxel_
     bur.neck_length_mm = 4.0 + radius;
     bur.shank_radius_mm = bur.neck_radius_mm;
     bur.shank_length_mm = 4.0;
+    if (const std::optional<Profile> head = shape.cutter_head(); head && !scene->burs.empty()) bur.head = *head;
     scene->burs.push_back(bur);
   }
   scene->tool_axis = shape.tool_axis();

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -40,7 +41,7 @@ class Shape {
 
   const std::string& name() const { return name_; }
   double bur_radius_mm() const { return radius_; }
-  /// Of a cut: single, crossing; of a channel: straight, oblique, slot; else empty.
+  /// Of a cut: single, crossing, drilled; of a channel: straight, oblique, slot; else empty.
   virtual std::string variant() const { return {}; }
   /// Two shapes with the same key have the same tissue before any cut.
   virtual std::string key() const { return name_; }
@@ -69,6 +70,8 @@ class Shape {
 
   /// Bur that cuts (cut, channel), as a second one in Scene::burs; 0: none.
   virtual double cutter_radius_mm() const { return 0.0; }
+  /// Its head; none: a ball.
+  virtual std::optional<Profile> cutter_head() const { return {}; }
   /// Makes the shape's cuts in a fresh state. False: the volume has no room.
   virtual bool prepare(StepState&) const { return true; }
 
@@ -88,7 +91,7 @@ class Shape {
 };
 
 /// nullptr for another name, and for channel, whose holes channel.h makes. variant: of a cut, single unless it says
-/// crossing.
+/// crossing or drilled.
 std::unique_ptr<Shape> make_shape(std::string_view name, double bur_radius_mm, std::string_view variant = {});
 
 /// The specimen of a shape, built at first use; a few are kept.

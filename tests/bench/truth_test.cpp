@@ -25,6 +25,7 @@ std::shared_ptr<const Shape> shape_of(const Case& c) {
   if (c.name == "hole") return std::make_shared<const Hole>(c.radius_mm, HoleKind::oblique, 3, 0.001);
   if (c.name == "hole across a slot") return std::make_shared<const Hole>(c.radius_mm, HoleKind::slot, 5, 0.001);
   if (c.name == "cut") return make_shape("cut", c.radius_mm, "crossing");
+  if (c.name == "drilled") return make_shape("cut", c.radius_mm, "drilled");
   return make_shape(c.name, c.radius_mm);
 }
 
@@ -47,6 +48,10 @@ Vec3 slope_of(const Truth& truth, Vec3 c) {
 
 bool solid(const Shape& shape, Vec3 p) {
   if (shape.distance_mm(p) > 0.0) return false;
+  if (shape.cutter_head()) {
+    const Vec3 l = oblique_frame().to_local(p);
+    return std::hypot(l.x, l.y) > shape.cutter_radius_mm() || l.z < -shape.cutter_radius_mm();
+  }
   const auto* cut = dynamic_cast<const CutBlock*>(&shape);
   if (cut == nullptr) return true;
   for (const Capsule& c : cut->capsules()) {
@@ -180,6 +185,7 @@ INSTANTIATE_TEST_SUITE_P(EveryShape, TruthOf,
                                          Case{"cylinder", 0.5}, Case{"edge", 0.25}, Case{"edge", 0.5},
                                          Case{"corner", 0.25}, Case{"groove", 0.5}, Case{"step", 0.25},
                                          Case{"step", 0.5}, Case{"wall", 0.25}, Case{"cut", 0.25}, Case{"cut", 0.5},
+                                         Case{"drilled", 0.25}, Case{"drilled", 0.5},
                                          Case{"hole", 0.25}, Case{"hole across a slot", 0.25}, Case{"islet", 0.25},
                                          Case{"narrow-slot", 0.25}, Case{"rim", 0.25}, Case{"joint", 0.25}),
                          [](const auto& one) {
