@@ -81,7 +81,7 @@ void SurfaceContact::forget() noexcept {
 
 bool SurfaceContact::of_shank(const Origin& origin) const noexcept {
   if (origin.kept >= 0) return kept_planes_[origin.kept].of_shank;
-  return candidates_[static_cast<std::size_t>(origin.candidate)].kind == Kind::shank;
+  return origin.candidate >= 0 && candidates_[static_cast<std::size_t>(origin.candidate)].kind == Kind::shank;
 }
 
 void SurfaceContact::relax_by_past(std::size_t from, std::size_t to) noexcept {
@@ -128,17 +128,14 @@ void SurfaceContact::note(const Volume& volume, const PlaneSearch& found, const 
     const Origin origin = polished.accepted ? Origin{polished.candidate[a]} : origins_[i];
     out.normal[a] = polished.accepted ? polished.normal[a] : planes_.n(i);
     out.weight[a] = held.weight[a];
+    out.of_shank[a] = of_shank(origin);
     if (origin.kept >= 0) {
       out.tissue[a] = kept_planes_[origin.kept].tissue;
-      out.of_shank[a] = kept_planes_[origin.kept].of_shank;
     } else if (origin.candidate >= 0) {
-      const Candidate& c = candidates_[static_cast<std::size_t>(origin.candidate)];
-      out.tissue[a] = c.tissue;
-      out.of_shank[a] = c.kind == Kind::shank;
+      out.tissue[a] = candidates_[static_cast<std::size_t>(origin.candidate)].tissue;
     } else {
       const CavityConstraint& wall = walls_.constraints()[static_cast<std::size_t>(-1 - origin.candidate)];
       out.tissue[a] = tissue_under(volume, wall.foot, wall.n);
-      out.of_shank[a] = false;
     }
   }
 }

@@ -252,6 +252,7 @@ class SurfaceContact {
   bool near_rim(const Tool& tool, Vec3 from_pivot) const noexcept;
   Constraint plane_of_head(const Tool& tool, const Candidate& c, ByHead& place, const HeadFoot& foot, Vec3 y,
                            double slack_mm) const noexcept;
+  bool on_edge(const Candidate& c) const noexcept;
   Constraint plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm) const noexcept;
   void add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
                   const CutSurface::Page* page, Kind kind) noexcept;

@@ -49,7 +49,7 @@ struct SurfaceContact::PlaneSolve {
   Vec3 way{0.0};            // of the last pass
   double trust = 1e9;       // longest way of a pass, mm
   int turns = 0;            // back
-  /// A head's last pass: its active planes' candidates, where it led, and how far that was from where they were built.
+  /// A head's last pass: its active planes' candidates, or -1 - kept plane, where it led, and how far that was from where they were built.
   struct Creep {
     int planes = 0;
     std::int32_t candidate[2] = {0, 0};
@@ -92,7 +92,8 @@ Vec3 SurfaceContact::leap_of_head(const PlaneSearch& found, Vec3 y, PlaneSolve& 
   s.creep.by = y - s.at;
   bool same = s.creep.planes > 0 && s.creep.planes == before.planes;
   for (int a = 0; a < s.creep.planes; ++a) {
-    s.creep.candidate[a] = origins_[static_cast<std::size_t>(found.index[a])].candidate;
+    const Origin& origin = origins_[static_cast<std::size_t>(found.index[a])];
+    s.creep.candidate[a] = origin.kept >= 0 ? -1 - origin.kept : origin.candidate;
     same = same && s.creep.candidate[a] == before.candidate[a];
   }
   const Vec3 by = s.creep.by, change = by - before.by;
@@ -160,7 +161,9 @@ void SurfaceContact::build_further(const Tool& tool, const PlaneSearch& found, d
 /// True if an edge stands deeper in the bur than constraints are good for.
 bool SurfaceContact::deep_in_edge(Vec3 at) const noexcept {
   for (std::size_t i = 0; i < planes_.size(); ++i)
-    if (candidates_[static_cast<std::size_t>(origins_[i].candidate)].kind == Kind::edge && planes_.slack(i, at) < -kPredictedMm) return true;
+    if (origins_[i].kept < 0 && candidates_[static_cast<std::size_t>(origins_[i].candidate)].kind == Kind::edge &&
+        planes_.slack(i, at) < -kPredictedMm)
+      return true;
   return false;
 }
 
@@ -177,7 +180,6 @@ bool SurfaceContact::turn_back(PlaneSearch& found, PlaneSolve& s) noexcept {
   if (held) found.y = s.y + way * (s.trust / far);
   s.way = found.y - s.y;
   for (int a = 0; a < found.active; ++a) held = held || origins_[static_cast<std::size_t>(found.index[a])].kept >= 0;
-  keep_planes(found, s.at);
   return held;
 }
 
@@ -228,6 +230,7 @@ bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolv
   active_set_.fresh = !polished.accepted && !s.left && !held;
   active_set_.room_mm = s.within - off;
   note(volume, found, polished, s.out);
+  if (!tool.ball()) keep_planes(found, s.at);
   // The answer lies between two such poses.
   s.arrived = s.turns > 1 && s.trust <= kLeastTrustMm;
   return !s.arrived && !s.left && !settled(tool, found, polished, s);

@@ -12,6 +12,8 @@ namespace {
 constexpr int kEdgePasses = 14;               // halvings of an edge's piece of 1.4 voxels: to some 5 nm
 constexpr double kLeastShare = 0.5;           // cos 60 deg: sides that turn further apart are opposite flanks, deep in the head
 constexpr double kCloseLeapMm = 0.02;
+// A ball that is thinner by 1 um against an edge comes to the points that are nearer to it, unless it stands steeper than 84 deg.
+constexpr double kOnEdgeMm = 0.01;
 
 /// Of a head at y to an edge's piece about `middle`: a plane's way to it, along -gradient. Where the edge cuts into a rim, the
 /// distance has a kink, and the gradient is the share of both sides that does not run along the edge.
@@ -65,6 +67,11 @@ SurfaceContact::Constraint SurfaceContact::tangent_of(Vec3 off, Vec3 y, double r
   return out;
 }
 
+/// True if an edge answers for the point of a surface: a bur is thinner against edges of what was cut.
+bool SurfaceContact::on_edge(const Candidate& c) const noexcept {
+  return all_resolved_ && c.others > 0 && (c.feature->other_d_mm > -kOnEdgeMm || (c.others > 1 && c.feature->third_d_mm > -kOnEdgeMm));
+}
+
 /// The plane of a point of a surface, seen from y.
 inline SurfaceContact::Constraint SurfaceContact::plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm) const noexcept {
   const double beside = kPlaneReach * voxel_mm_;
@@ -86,7 +93,7 @@ inline SurfaceContact::Constraint SurfaceContact::plane_of_surface(double r, con
       return {{c.normal, c.level + r}, true, true};
     }
   }
-  return tangent_of(d, y, r, slack_mm);
+  return on_edge(c) ? Constraint{} : tangent_of(d, y, r, slack_mm);
 }
 
 /// The neck's and the shank's: capsules along the axis; the nearer of the two holds the point off.
@@ -145,6 +152,7 @@ SurfaceContact::Constraint SurfaceContact::plane_of_head(const Tool& tool, const
         return out;
       }
     }
+    if (on_edge(c)) return out;
   }
   reckon(*tool.bur, place);
   double gap = place.distance + thin;

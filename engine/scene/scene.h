@@ -15,7 +15,7 @@
 namespace cusp::engine {
 
 /// Rises when a golden hash of the step changes: a session of another engine version opens from its stored results.
-inline constexpr int kEngineVersion = 33;
+inline constexpr int kEngineVersion = 34;
 
 /// Contact method (engine/contact/README.md).
 enum class Method : std::uint8_t { occupancy, occupancy_pivot, surface, ray, penalty, gradient };

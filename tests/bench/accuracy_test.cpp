@@ -39,6 +39,21 @@ TEST(Accuracy, PassesTheSurfaceProxyOnAFaceAndInACorner) {
   EXPECT_TRUE(passes(measure_slide(*make_shape("corner", 0.5), quick())));
 }
 
+/// What one bur has cut another one feels: a student drills with a fissure and goes on with a round bur.
+TEST(Accuracy, PassesTheSurfaceProxyOnTheRimOfAHoleThatAnotherBurHasDrilled) {
+  for (const double radius : {0.25, 0.5}) {
+    Measure what = quick();
+    what.voxel_mm = 10.0 / 128;
+    what.speed_mm_s = 50.0;
+    const Row row = measure_slide(*make_shape("cut", radius, "drilled"), what);
+    EXPECT_GT(row.samples, 500) << radius;
+    EXPECT_LT(row.angle_deg_mean, 0.1) << radius;
+    EXPECT_LT(row.depth_um_mean, 0.05) << radius;
+    EXPECT_LT(row.pose_um_mean, 0.3) << radius;  // measured 0.18 and 0.08; 2.6 where its rim is made of straight pieces
+    EXPECT_LT(row.pose_um_max, 2.0) << radius;   // measured 1.3 and 0.8; 9 where points that lie on the rim hold the ball
+  }
+}
+
 TEST(Accuracy, CatchesAFlippedNormal) {
   Measure what = quick();
   what.stepper = broken([](StepOutput& out) {

@@ -20,6 +20,8 @@ const double kAir = distance_from_solid(solid_from_distance(0.5));
 constexpr double kTaken = 1.6, kUntouched = 2.2;
 /// Voxels: a scratch up to this deep holds a cutting bur though no cell of the cut has it.
 constexpr double kShallow = 0.15;
+/// Voxels that the piece of a mouth's edge goes on beyond its cell, so that it meets the next.
+constexpr double kBesideCell = 0.05;
 /// Voxels: a head touches no deeper sample than it looks for points beside it.
 constexpr double kDeepestInside = 0.8;
 
@@ -147,6 +149,22 @@ void CutSurface::add_edge(const Volume& volume, const Cell& cell, const SharpEdg
   out.other_d_mm = -out.third_d_mm;
 }
 
+/// Where the cut meets the specimen's own surface. Beyond the cell the fields are continued, so the piece ends there.
+void CutSurface::add_mouth(const Volume& volume, const Cell& cell, const SharpEdge& edge) noexcept {
+  add_edge(volume, cell, edge);
+  CutFeature& out = made_[made_count_ - 1].feature;
+  double from = out.other_d_mm, to = out.third_d_mm;
+  for (int a = 0; a < 3; ++a) {
+    const double along = edge.tangent[a] / cell.voxel_mm;
+    if (std::fabs(along) < 1e-3) continue;
+    const double low = (-kBesideCell - edge.at[a]) / along, high = (1.0 + kBesideCell - edge.at[a]) / along;
+    from = std::max(from, std::min(low, high));
+    to = std::min(to, std::max(low, high));
+  }
+  out.other_d_mm = static_cast<float>(std::min(from, 0.0));
+  out.third_d_mm = static_cast<float>(std::max(to, 0.0));
+}
+
 /// A field rounds an inner edge, but its samples in the tissue are distances to what was swept, and exact.
 void CutSurface::add_insides(const Volume& volume, const Cell& cell, const CellField& cut, const CellField* base, Vec3 normal) noexcept {
   for (int i = 0; i < 8; ++i) {
@@ -220,7 +238,7 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, Part 
   SharpEdge edge;
   if (edge_of([&](Vec3 p, Vec3& g) { return base.eval(p, g); }, [&](Vec3 p, Vec3& g) { return cut.eval(p, g); }, Vec3(0.5),
               edge))
-    add_edge(volume, cell, edge);
+    add_mouth(volume, cell, edge);
   return resolved;
 }
 

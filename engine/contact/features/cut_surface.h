@@ -164,6 +164,7 @@ class CutSurface {
   struct BaseAbout;
   BaseAbout base_about(const Volume& volume, const Cell& cell, const double* corners) noexcept;
   CutFeature& add_feature(const Volume& volume, const Cell& cell, Vec3 place, Vec3 normal, Vec3 under) noexcept;
+  void add_mouth(const Volume& volume, const Cell& cell, const SharpEdge& edge) noexcept;
   void add_edge(const Volume& volume, const Cell& cell, const SharpEdge& edge) noexcept;
   void add_insides(const Volume& volume, const Cell& cell, const CellField& cut, const CellField* base, Vec3 normal) noexcept;
   bool load_beside(const Volume& volume, const Cell& cell, IVec3 o, CellField& to) noexcept;
