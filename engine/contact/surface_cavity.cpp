@@ -198,7 +198,7 @@ bool SurfaceContact::refine_in_cavity(const Volume& volume, const Tool& tool, Ve
 
 Contact SurfaceContact::solve_in_cavity(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, double moved_mm) noexcept {
   Contact out;
-  overflow_ = active_set_.fresh = false;
+  overflow_ = false;
   Vec3 y = from, last_way(0.0);
   double trust = std::clamp(kTrustMoved * moved_mm + kTrustMovedMm, kLeastTrustMm, kMostTrustMm);
   Metric metric;

@@ -11,10 +11,10 @@ namespace {
 
 constexpr double kNoWay2 = 1e-18;    // mm^2: a place nearer to a point or an edge has no direction from it
 constexpr double kRounding = 1e-9;   // mm: far more than a distance to a head is rounded by
-constexpr double kNormalRounding = 1e-6;  // mm: a single-precision normal is 1e-7 off unit, so a head of 9 mm by 9e-7
 constexpr double kMostShift = 0.06;  // mm: near candidates are reused within this of the last full build
 constexpr double kLeavesTangent = 0.25;  // voxels that a cell's edge leaves its tangent by at most
 constexpr double kEdgeClose = 1e-4;      // voxels: leaves its distance off by 1e-8, the normal by 2e-6 degrees
+constexpr double kNormalRounding = 1e-6;  // mm: a single-precision normal is 1e-7 off unit, so a head of 9 mm by 9e-7
 constexpr double kEdgeBends = 0.02;      // below, it bends about the place about as the ball does
 constexpr int kEdgeNewton = 4;           // steps of Newton along an edge
 constexpr double kMostMovedNow = 0.5;    // voxels: a neck's point is moved so far out of what is not carved
@@ -85,74 +85,48 @@ inline void SurfaceContact::add_face_constraints(Vec3 centre, double reach2, Vec
   }
 }
 
-/// Two edges as curves about a pose: at - (point + s tangent + s^2 bend + s^3 twist + s^4 fourth) for s in from..to.
+/// Two edges as curves about a pose: at - (point + s tangent + s^2 bend + s^3 twist) for s in from..to.
 struct SurfaceContact::EdgePair {
   Pair dx, dy, dz;  // from the edges' points to the pose
-  Pair tx, ty, tz, bx, by, bz, wx, wy, wz, qx, qy, qz;
+  Pair tx, ty, tz, bx, by, bz, wx, wy, wz;
   Pair from, to;
 
   void place(Pair s, Pair& px, Pair& py, Pair& pz) const noexcept {
-    px = dx - s * (tx + s * (bx + s * (wx + s * qx)));
-    py = dy - s * (ty + s * (by + s * (wy + s * qy)));
-    pz = dz - s * (tz + s * (bz + s * (wz + s * qz)));
+    px = dx - s * (tx + s * (bx + s * wx));
+    py = dy - s * (ty + s * (by + s * wy));
+    pz = dz - s * (tz + s * (bz + s * wz));
   }
 
   /// d: from the edges' points to the pose.
   [[gnu::always_inline]] static EdgePair of(const Candidate& a, const Candidate& b, Pair dx, Pair dy, Pair dz) noexcept {
     const CutFeature &fa = *a.feature, &fb = *b.feature;
-    const Vec3f &ba = fa.other_normal, &bb = fb.other_normal, &wa = fa.third_normal, &wb = fb.third_normal, &qa = fa.fourth, &qb = fb.fourth;
+    const Vec3f &ba = fa.other_normal, &bb = fb.other_normal, &wa = fa.third_normal, &wb = fb.third_normal;
     const auto two = [](double of_a, double of_b) { return Pair{of_a, of_b}; };
     return {dx, dy, dz, two(a.normal.x, b.normal.x), two(a.normal.y, b.normal.y), two(a.normal.z, b.normal.z),
             two(ba.x, bb.x), two(ba.y, bb.y), two(ba.z, bb.z), two(wa.x, wb.x), two(wa.y, wb.y), two(wa.z, wb.z),
-            two(qa.x, qb.x), two(qa.y, qb.y), two(qa.z, qb.z),
             two(fa.other_d_mm, fb.other_d_mm), two(fa.third_d_mm, fb.third_d_mm)};
   }
 
   /// By Newton along the edges from t: their nearest places, and the way from there to the pose.
   [[gnu::always_inline]] void nearest(Pair& t, PairMask near, double close, Pair& ox, Pair& oy, Pair& oz) const noexcept {
     PairMask active = near;
-    PairMask bent = near & ~near;
     for (int pass = 0; pass <= kEdgeNewton; ++pass) {
-      const Pair ux = wx + t * qx, uy = wy + t * qy, uz = wz + t * qz;
       Pair vx, vy, vz;
       place(t, vx, vy, vz);
       ox = active ? vx : ox;
       oy = active ? vy : oy;
       oz = active ? vz : oz;
       if (pass == kEdgeNewton) break;
-      const Pair ax = tx + t * (2.0 * bx + t * (3.0 * ux + t * qx)), ay = ty + t * (2.0 * by + t * (3.0 * uy + t * qy)),
-                 az = tz + t * (2.0 * bz + t * (3.0 * uz + t * qz));
+      const Pair ax = tx + t * (2.0 * bx + t * (3.0 * wx)), ay = ty + t * (2.0 * by + t * (3.0 * wy)), az = tz + t * (2.0 * bz + t * (3.0 * wz));
       const Pair six = 6.0 * t;
-      const Pair curved = ax * ax + ay * ay + az * az -
-                          ((2.0 * bx + t * (6.0 * ux + six * qx)) * vx + (2.0 * by + t * (6.0 * uy + six * qy)) * vy +
-                           (2.0 * bz + t * (6.0 * uz + six * qz)) * vz);
-      const PairMask straight = curved > kEdgeBends;
-      bent = bent | (active & ~straight);
-      active = active & straight;
+      const Pair curved = ax * ax + ay * ay + az * az - ((2.0 * bx + six * wx) * vx + (2.0 * by + six * wy) * vy + (2.0 * bz + six * wz) * vz);
+      active = active & (curved > kEdgeBends);
       const Pair whole = t + (ox * ax + oy * ay + oz * az) / curved;
       const Pair next = whole < from ? from : whole > to ? to : whole;
       const Pair moved = next - t;
       active = active & ((moved >= close) | (moved <= -close));
       if (bits_of(active) == 0) break;
       t = active ? next : t;
-    }
-    if (bits_of(bent) != 0) nearest_of_three(bent, t, ox, oy, oz);
-  }
-
-  /// Of edges that bend about the pose about as the ball does, and are as far all along: the nearest of their ends and middles is
-  /// so to 10 nm.
-  void nearest_of_three(PairMask bent, Pair& t, Pair& ox, Pair& oy, Pair& oz) const noexcept {
-    Pair nearest2 = both(1e300);
-    for (const Pair s : {from, to, 0.5 * (from + to)}) {
-      Pair px, py, pz;
-      place(s, px, py, pz);
-      const Pair square = px * px + py * py + pz * pz;
-      const PairMask nearer = bent & (square < nearest2);
-      nearest2 = nearer ? square : nearest2;
-      t = nearer ? s : t;
-      ox = nearer ? px : ox;
-      oy = nearer ? py : oy;
-      oz = nearer ? pz : oz;
     }
   }
 };
@@ -173,9 +147,9 @@ bool SurfaceContact::nearest_on(const Candidate& edge, double far_mm, Vec3& off,
   EdgePair::of(edge, edge, both(d.x), both(d.y), both(d.z)).nearest(at, Pair{} == Pair{}, kEdgeClose * voxel_mm_, x, y, z);
   off = {x[0], y[0], z[0]};
   t = at[0];
-  const Vec3 bend(f.other_normal), fourth(f.fourth), turn = Vec3(f.third_normal) + t * fourth;
-  along = tangent + t * (2.0 * bend + t * (3.0 * turn + t * fourth));
-  curved = glm::dot(along, along) - glm::dot(2.0 * bend + t * (6.0 * turn + (6.0 * t) * fourth), off);
+  const Vec3 bend(f.other_normal), twist(f.third_normal);
+  along = tangent + t * (2.0 * bend + t * (3.0 * twist));
+  curved = glm::dot(along, along) - glm::dot(2.0 * bend + (6.0 * t) * twist, off);
   return t > from && t < to;
 }
 
@@ -267,28 +241,18 @@ std::size_t SurfaceContact::add_head_constraints(const Volume& volume, const Too
     known_of(volume, tool, i);
     ++looked;
     const Candidate& c = candidates_[i];
-    const Vec3 point = c.point - at;
-    ByHead place;
-    HeadFoot foot;
-    bool within = false;  // far, by a place of the head
+    // Neither the point nor its plane holds off what stands higher over the plane than the slack.
     if (c.kind == Kind::surface) {
-      const IntoSurface into(tool.axis, c.normal);
-      // Neither the point nor its plane holds off what stands higher over the plane than the slack.
-      const double height = glm::dot(c.normal, at) - c.level + tool.thin(c.field) - tool.bur->head.extent(into.down);
+      const double height = glm::dot(c.normal, at) - c.level + tool.thin(c.field) - tool.bur->head.extent(IntoSurface(tool.axis, c.normal).down);
       if (height > slack_mm + kNormalRounding) return;
-      place = by_axis(tool.axis, point);
-      foot = deepest_foot(*tool.bur, tool.axis, c.normal, into, point, place, beside);
-      const Vec3 d = foot.at - point;
-      within = foot.deepest && far > most && glm::dot(d, d) <= (far - most) * (far - most);
-    } else {
-      place = by_axis(tool.axis, point);
     }
-    if (!within) {
-      reckon(*tool.bur, place);
-      if (place.distance > far + most) return;
-      if (place.distance > far - most && head_distance(*tool.bur, tool.axis, c.point - centre) > far) return;
-    }
-    if (!foot.deepest) foot = foot_beside(*tool.bur, tool.axis, c.normal, point, place, beside, foot);
+    const Vec3 point = c.point - at;
+    ByHead place = by_axis(tool.axis, point);
+    reckon(*tool.bur, place);
+    if (place.distance > far + most) return;
+    if (place.distance > far - most && head_distance(*tool.bur, tool.axis, c.point - centre) > far) return;
+    HeadFoot foot;
+    if (c.kind == Kind::surface) foot = head_foot(*tool.bur, tool.axis, c.normal, point, place, beside);
     constrain(i, plane_of_head(tool, c, place, foot, at, slack_mm));
   });
   return looked;

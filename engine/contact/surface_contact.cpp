@@ -75,7 +75,6 @@ void SurfaceContact::forget() noexcept {
   walls_.forget();
   fields_.forget_cut();
   gathered_.valid = free_.valid = unresolved_far_.valid = false;
-  shank_free_ = {};
   free_pause_ = 0;
 }
 
@@ -160,7 +159,6 @@ Contact SurfaceContact::follow(const Volume& volume, const Tool& tool, Vec3 from
       return out;
     }
   }
-  if (clear_path(volume, tool, from, device)) return out;
   overflow_ = false;
   const double step = std::min(kLongestStep, std::max(0.004, reach_mm));
   const bool swept = tool.ball() && sweeps_.size() > 0;
@@ -186,28 +184,8 @@ SurfaceContact::Tool SurfaceContact::tool_of(const Bur& bur, Vec3 axis, std::uin
   return tool;
 }
 
-Contact SurfaceContact::after_cut(const Volume& volume, const Scene& scene, std::uint16_t bur_index, Vec3 axis,
-                                  const Contact& before, Vec3 device, double advance_mm) noexcept {
-  // The field is the same: only the memory relaxes constraints, so the last ones are solved again.
-  if (active_set_.fresh && gathered_.valid && !before.infeasible && before.active > 0) {
-    Contact out;
-    const Tool tool = tool_of(scene.burs[bur_index], axis, bur_index);
-    find_past(tool, before.pose_mm);
-    relax_by_past(0, planes_.size());
-    const PlaneSearch found = search_planes(before.pose_mm, device, out.infeasible);
-    if (found.feasible && !out.infeasible &&
-        length_of(found.y - before.pose_mm) <= std::min(active_set_.room_mm, 2.0 * advance_mm + kTangentsHoldMm)) {
-      out.pose_mm = found.y;
-      note(volume, found, Polished{}, out);
-      return out;
-    }
-  }
-  return solve(volume, scene, bur_index, axis, before.pose_mm, device, Vec3(0.0), advance_mm + 0.004, kAnyWay);
-}
-
 bool SurfaceContact::fits(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose) noexcept {
   const Tool tool{&bur, axis};
-  if (clear_path(volume, tool, pose, pose)) return true;
   if (inside_tissue(volume, pose)) return false;
   gathered_.valid = false;
   gather(volume, tool, pose, voxel_mm_);
@@ -223,7 +201,6 @@ bool SurfaceContact::push_out(const Volume& volume, const Scene& scene, std::uin
   constexpr double kMost = 0.02, kBallMargin = 0.01, kFirst = 0.006;
   const bool ball = scene.burs[bur].head.ball();
   const Tool tool{&scene.burs[bur], axis, ball ? kNoBur : bur, thin_mm, thin_mm};
-  active_set_.fresh = false;
   if (ball) {
     count_ = 0;
     gathered_.valid = false;

@@ -39,12 +39,9 @@ class SurfaceContact {
   Contact solve(const Volume& volume, const Scene& scene, std::uint16_t bur, Vec3 axis, Vec3 from, Vec3 device, Vec3 predicted,
                 double reach_mm, double most_mm) noexcept;
 
-  /// Contact again after a cut of advance_mm that is in the memory and not yet in the field. before: solve()'s last answer.
-  Contact after_cut(const Volume& volume, const Scene& scene, std::uint16_t bur, Vec3 axis, const Contact& before, Vec3 device, double advance_mm) noexcept;
-
   /// True when head, neck and shank are clear of tissue by a voxel. in_free_space(): no brick in reach has any; costs a few us.
   bool fits(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose) noexcept;
-  bool in_free_space(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose) noexcept { return clear_path(volume, {&bur, axis}, pose, pose); }
+  bool in_free_space(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose) const noexcept;
 
   /// The nearest pose at which the head alone, thinner by thin_mm all over, fits. False if there is none within 20 um.
   bool push_out(const Volume& volume, const Scene& scene, std::uint16_t bur, Vec3 axis, Vec3 pose, double thin_mm, Vec3& out) noexcept;
@@ -63,7 +60,6 @@ class SurfaceContact {
     walls_.changed(volume, low, high);
     fields_.forget_cut();
     gathered_.valid = free_.valid = unresolved_far_.valid = false;
-    shank_free_ = {};
   }
 
   /// Of a tick: candidates of all searches after reset_budget(), at 25 to 50 ns, and so many passes at least. Where it runs out,
@@ -76,10 +72,7 @@ class SurfaceContact {
   static constexpr Budget kExploring{10000, 8};
   /// A deferred tick cuts nothing: at 200 mm/s 16 passes leave 0.2 mm uncut (`cusp-bench removal --full`).
   static constexpr Budget kCutting{10000, 48};
-  /// Of a head that is no ball and cuts while the device moves slowly: the next tick goes on where it stops. Of 36 milling burs'
-  /// ticks it defers 0.03 percent; 4,000 candidates and 12 passes defer 0.07, and are no faster.
-  static constexpr Budget kCuttingSlowly{5000, 16};
-  /// The same where its proxy outruns the device, or has still to settle on what was carved.
+  /// Of a head that is no ball and cuts, where its proxy outruns the device, or has still to settle on what was carved.
   static constexpr Budget kShort{2500, 4};
   void reset_budget(const Budget& budget) noexcept {
     visited_before_ = candidates_visited();
@@ -321,7 +314,6 @@ class SurfaceContact {
   Polished polish(const Volume& volume, const Tool& tool, Vec3 y, Vec3 device, const PlaneSearch& found) noexcept;
   HeadFoot foot_of(const Tool& tool, Field field, Vec3 normal, Vec3 point, Vec3 pose) const noexcept;
   void note(const Volume& volume, const PlaneSearch& found, const Polished& polished, Contact& out) const noexcept;
-  bool clear_path(const Volume& volume, const Tool& tool, Vec3 from, Vec3 to) const noexcept;
   bool inside_tissue(const Volume& volume, Vec3 pose) const noexcept;
   Tissue tissue_under(const Volume& volume, Vec3 place, Vec3 outwards) const noexcept;
 
@@ -353,13 +345,6 @@ class SurfaceContact {
   std::vector<double> low_;            // mm: least distance of each of near_, near built_.at
   std::size_t count_ = 0, ball_count_ = 0, shank_count_ = 0;
   Gathered gathered_;                  // of the head, then of the neck and the shank
-  /// Nothing stands within margin_mm of neck and shank; cutting only removes tissue.
-  struct ShankFree {
-    Vec3 centre{0.0}, axis{0.0};
-    double margin_mm = -1.0;
-    const Bur* bur = nullptr;
-  };
-  ShankFree shank_free_;
   FreeSpace free_;
   int free_pause_ = 0;                 // solves before find_free() is tried again
   std::uint64_t answered_free_ = 0;
@@ -382,8 +367,6 @@ class SurfaceContact {
   struct ActiveSet {
     int plane[3] = {0, 0, 0};
     int count = 0;
-    bool fresh = false;    // planes_ are those that it was found among
-    double room_mm = 0.0;  // planes_ holds every constraint within this of the pose
   };
   ActiveSet active_set_;
   std::array<Vec3, CutMemory::kMost> past_;          // poses of the stroke's memory near the pose

@@ -227,8 +227,6 @@ bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolv
     return true;
   }
   go_to(found, polished, whole, s);
-  active_set_.fresh = !polished.accepted && !s.left && !held;
-  active_set_.room_mm = s.within - off;
   note(volume, found, polished, s.out);
   if (!tool.ball()) keep_planes(found, s.at);
   // The answer lies between two such poses.

@@ -163,13 +163,9 @@ bool SurfaceContact::inside_tissue(const Volume& volume, Vec3 pose) const noexce
   return volume.s(cell_of_voxels((pose - volume.grid().origin_mm) / voxel_mm_ + 0.5)) >= kHalf;
 }
 
-bool SurfaceContact::clear_path(const Volume& volume, const Tool& tool, Vec3 from, Vec3 to) const noexcept {
-  const Bur& bur = *tool.bur;
-  // Every brick that the bur could sweep is all empty: then the proxy is the device point.
+bool SurfaceContact::in_free_space(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose) const noexcept {
   const Specimen& specimen = volume.specimen();
   const Grid& grid = volume.grid();
-  const Vec3 low_mm = glm::min(from, to);
-  const Vec3 high_mm = glm::max(from, to);
   const auto empty = [&](Vec3 a, Vec3 b) {
     const IVec3 low = glm::max(brick_floor(grid, a), IVec3(0));
     const IVec3 high = glm::min(brick_floor(grid, b), specimen.brick_count() - 1);
@@ -182,10 +178,10 @@ bool SurfaceContact::clear_path(const Volume& volume, const Tool& tool, Vec3 fro
     return true;
   };
   const double wide = head_reach(bur) + 2.0 * grid.voxel_mm;
-  if (!empty(low_mm - wide, high_mm + wide)) return false;
-  const Vec3 reach = tool.axis * (bur.neck_length_mm + bur.shank_length_mm);
+  if (!empty(pose - wide, pose + wide)) return false;
+  const Vec3 end = pose + axis * (bur.neck_length_mm + bur.shank_length_mm);
   const double thick = std::max(bur.neck_radius_mm, bur.shank_radius_mm) + 2.0 * grid.voxel_mm;
-  return empty(glm::min(low_mm, low_mm + reach) - thick, glm::max(high_mm, high_mm + reach) + thick);
+  return empty(glm::min(pose, end) - thick, glm::max(pose, end) + thick);
 }
 
 }  // namespace cusp::engine

@@ -18,17 +18,16 @@ constexpr double kOnEdgeMm = 0.01;
 /// Of a head at y to an edge's piece about `middle`: a plane's way to it, along -gradient. Where the edge cuts into a rim, the
 /// distance has a kink, and the gradient is the share of both sides that does not run along the edge.
 double distance_to_edge(const Bur& bur, Vec3 axis, Vec3 y, Vec3 middle, Vec3 tangent, const CutFeature& f, Vec3& gradient) noexcept {
-  const Vec3 bend(f.other_normal), twist(f.third_normal), fourth(f.fourth);
+  const Vec3 bend(f.other_normal), twist(f.third_normal);
   struct Place {
     double t, distance, slope;
     Vec3 gradient;
   };
   const auto look = [&](double t) {
     Place out{t, 0.0, 0.0, Vec3(0.0)};
-    const Vec3 turn = twist + t * fourth;
-    const Vec3 point = middle + t * (tangent + t * (bend + t * turn)) - y;
+    const Vec3 point = middle + t * (tangent + t * (bend + t * twist)) - y;
     out.distance = head_distance(bur, axis, point, out.gradient);
-    out.slope = glm::dot(out.gradient, tangent + t * (2.0 * bend + t * (3.0 * turn + t * fourth)));
+    out.slope = glm::dot(out.gradient, tangent + t * (2.0 * bend + t * (3.0 * twist)));
     return out;
   };
   // It is all but convex along a piece: nearest where its slope changes sign.

@@ -95,11 +95,8 @@ struct BallSweeps {
 bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner, ChangedVoxels& changed) noexcept {
   const IVec3 from = glm::max(all.low - corner, IVec3(0));
   const IVec3 to = glm::min(all.high - corner, IVec3(7));
-  // What a bend lowers the chord's solid fractions by at most, in 1/65535, with the rounding of two.
-  const auto lower = static_cast<int>(all.bend * (65535.0 / (2.0 * kBandVoxels))) + 3;
   const unsigned meant = (0xffu << from.x) & (0xffu >> (7 - to.x));  // of a row, voxels within low..high
   const double reach = all.chord.row_reach() + all.bend;
-  const BallSweep::Way chord = all.chord.way_from(corner);
   BallSweep::Way way[kMostAtOnce];
   for (int k = 0; k < all.count; ++k) way[k] = all.sweep[k].way_from(corner);
   const std::uint16_t* known = volume.cut_of(brick);
@@ -115,7 +112,6 @@ bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner,
         if (four == 0) continue;
         const LaneMask before = from_memory(four);
         const Vec3f first(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
-        if (bits_of(before > all.chord.solid(chord.distances2(first)) - lower) == 0) continue;
         Lanes nearest = way[0].distances2(first);
         LaneMask by = LaneMask{} + all.sweep[0].id;
         for (int k = 1; k < all.count; ++k) {
@@ -144,9 +140,9 @@ bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner,
   return true;
 }
 
-Carved carve(Volume& volume, const BallSweeps& all, CarvePart part) noexcept {
+Carved carve(Volume& volume, const BallSweeps& all) noexcept {
   Carved out;
-  for_bricks_of(part, all.low, all.high, out, [&](IVec3 at) {
+  for_bricks_within(all.low, all.high, [&](IVec3 at) {
     const int brick = volume.specimen().brick_index(at);
     const IVec3 corner = at * kBrickEdge;
     if (brick < 0 || !volume.cuttable(brick)) return;
@@ -164,21 +160,21 @@ Carved carve(Volume& volume, const BallSweeps& all, CarvePart part) noexcept {
 
 }  // namespace
 
-Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm, CarvePart part) noexcept {
+Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm) noexcept {
   BallSweeps all;
   all.add(BallSweep(volume.grid(), a, b, radius_mm));
   all.close(volume.grid(), a, b, radius_mm);
-  return carve(volume, all, part);
+  return carve(volume, all);
 }
 
-Carved carve_run(Volume& volume, const Sweeps& sweeps, SweepRun run, CarvePart part) noexcept {
+Carved carve_run(Volume& volume, const Sweeps& sweeps, SweepRun run) noexcept {
   BallSweeps all;
   for (std::int32_t id = run.from; id <= run.to && all.count < kMostAtOnce; ++id) {
     const Sweep sweep = sweeps[id];
     all.add(BallSweep(volume.grid(), sweep.a, sweep.b, sweep.radius_mm, id));
   }
   all.close(volume.grid(), sweeps[run.from].a, sweeps[run.from + all.count - 1].b, sweeps[run.from].radius_mm);
-  return carve(volume, all, part);
+  return carve(volume, all);
 }
 
 }  // namespace cusp::engine

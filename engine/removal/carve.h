@@ -16,12 +16,10 @@ struct Carved {
   bool overflow = false;   // a brick had no room
   IVec3 low{0}, high{0};   // voxels that may have changed, inclusive; valid when any
   /// The same brick by brick, for the first kKept bricks; `low` and `high` alone cover the rest. More of them cost cells made
-  /// anew, never another answer. 64: a tick carves 1 + front / 6 bricks of a ball (bricks_a_tick() in step_surface.cpp), so many
-  /// for balls of up to 5.9 mm at voxels of 0.04 mm: (5.9 / 0.32 + 1)^2 = 378. 88 bytes each.
+  /// anew, never another answer. 64: the front of a ball of 2.2 mm at voxels of 0.04 mm, (2.2 / 0.32 + 1)^2. 88 bytes each.
   static constexpr int kKept = 64;
   ChangedVoxels brick[kKept];
   int bricks = 0;          // that changed
-  int next = -1;           // CarvePart::first of the next part; -1: the carving is complete
 
   void add(const ChangedVoxels& changed) noexcept {
     low = any ? glm::min(low, changed.low) : changed.low;
@@ -39,26 +37,12 @@ inline bool swept_whole(double length_mm, double dt_s) noexcept {
   return length_mm <= kLongestMm && length_mm <= kFastestMmS * dt_s;
 }
 
-/// Part of a carving: bricks are walked in a fixed order, so all parts together give the same volume.
-struct CarvePart {
-  int first = 0;
-  int most = 1 << 30;      // bricks to change
-};
-
-/// Calls brick(at) for the bricks of a part of a carving within voxels low..high, inclusive, until part.most are in `carved`.
+/// Calls brick(at) for the bricks with voxels low..high, inclusive.
 template <class Brick>
-void for_bricks_of(CarvePart part, IVec3 low, IVec3 high, Carved& carved, Brick&& brick) noexcept {
-  int walked = 0;
+void for_bricks_within(IVec3 low, IVec3 high, Brick&& brick) noexcept {
   for (int z = low.z >> 3; z <= high.z >> 3; ++z)
     for (int y = low.y >> 3; y <= high.y >> 3; ++y)
-      for (int x = low.x >> 3; x <= high.x >> 3; ++x) {
-        if (walked++ < part.first) continue;
-        if (carved.bricks == part.most) {
-          carved.next = walked - 1;
-          return;
-        }
-        brick(IVec3(x, y, z));
-      }
+      for (int x = low.x >> 3; x <= high.x >> 3; ++x) brick(IVec3(x, y, z));
 }
 
 /// Calls visit(changed), a brick each, with every voxel that has changed; beyond kKept bricks with all in the box about them.
@@ -70,11 +54,11 @@ void for_changed(const Carved& carved, Visit&& visit) noexcept {
 
 /// Unites the cut field with a ball of radius_mm swept from a to b (mm): C = min(C, solid(r - distance to ab)).
 /// Calls touched() once for every brick that changed.
-Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm, CarvePart part = {}) noexcept;
+Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm) noexcept;
 
 /// The same with the sweeps of a run, kMostAtOnce at most. A voxel that one of them lowers keeps its id.
 inline constexpr std::int32_t kMostAtOnce = 16;
-Carved carve_run(Volume& volume, const Sweeps& sweeps, SweepRun run, CarvePart part = {}) noexcept;
+Carved carve_run(Volume& volume, const Sweeps& sweeps, SweepRun run) noexcept;
 
 enum class SweepStart : std::uint8_t { uncut, carved };
 
@@ -97,11 +81,9 @@ struct Polyline {
 /// the rim's angle is below 90 degrees, the field inside the head is deeper than the head: wall and floor beside the rim then keep
 /// their distance (flat_head.h).
 /// carved: the last carving ended where the way begins, with this bur and axis. The volume is the same; the head's rear is skipped.
-Carved carve_sweep(Volume& volume, const Polyline& way, const Bur& bur, Vec3 axis, SweepStart start = SweepStart::uncut,
-                   CarvePart part = {}) noexcept;
-inline Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Bur& bur, Vec3 axis, SweepStart start = SweepStart::uncut,
-                          CarvePart part = {}) noexcept {
-  return carve_sweep(volume, Polyline{{a, b}, 2}, bur, axis, start, part);
+Carved carve_sweep(Volume& volume, const Polyline& way, const Bur& bur, Vec3 axis, SweepStart start = SweepStart::uncut) noexcept;
+inline Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Bur& bur, Vec3 axis, SweepStart start = SweepStart::uncut) noexcept {
+  return carve_sweep(volume, Polyline{{a, b}, 2}, bur, axis, start);
 }
 
 }  // namespace cusp::engine

@@ -296,8 +296,8 @@ bool clear(Volume& volume, AtBrick& brick) noexcept {
 
 }  // namespace
 
-Carved carve_sweep(Volume& volume, const Polyline& way, const Bur& bur, Vec3 axis, SweepStart start, CarvePart part) noexcept {
-  if (bur.head.ball()) return carve_sweep(volume, way.first(), way.last(), bur.radius_mm, part);
+Carved carve_sweep(Volume& volume, const Polyline& way, const Bur& bur, Vec3 axis, SweepStart start) noexcept {
+  if (bur.head.ball()) return carve_sweep(volume, way.first(), way.last(), bur.radius_mm);
   const FlatHead head(bur.head, volume.grid().voxel_mm);
   const auto pieces = static_cast<std::size_t>(way.count - 1);
   std::array<std::optional<Piece>, Polyline::kMost - 1> piece;
@@ -310,7 +310,7 @@ Carved carve_sweep(Volume& volume, const Polyline& way, const Bur& bur, Vec3 axi
     high = i == 0 ? piece[i]->high() : glm::max(high, piece[i]->high());
   }
   Carved out;
-  for_bricks_of(part, low, high, out, [&](IVec3 at) {
+  for_bricks_within(low, high, [&](IVec3 at) {
     AtBrick brick;
     brick.index = volume.specimen().brick_index(at);
     if (brick.index < 0 || !volume.cuttable(brick.index)) return;

@@ -38,14 +38,14 @@ struct StepState::Inner {
   Polyline cut_way;                // a head's: where the sweep begins and bends; a ball's: where it begins
   Vec3 cut_axis{0.0, 0.0, 1.0};    // of the bur in that sweep
   std::int32_t cut_first = 0, cut_last = -1;  // a ball's: those of `sweeps` that it is made of
-  /// A finished sweep that is being carved, some bricks a tick.
+  /// A finished sweep that is to be carved.
   struct PendingSweep {
     Polyline way;
     Vec3 axis{0.0};
     std::uint16_t bur = 0;
     bool start_carved = false;     // the sweep before ended where this one begins, with the same bur and axis
     std::int32_t first = 0, last = -1;  // a ball's: those of `sweeps` that it is made of
-    std::int32_t next = -1;        // CarvePart::first of the next part; -1: no sweep is pending
+    bool waits = false;            // false: there is none
   };
   PendingSweep pending_sweep;
   std::array<double, kTissueCodes> wear_remainder{};  // filled: wear below one quantum of solid fraction, by tissue

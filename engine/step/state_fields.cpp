@@ -187,9 +187,9 @@ bool has_vertices(const Polyline& way, int least, int most) noexcept { return wa
 bool in_range(const StepState::Inner& s) noexcept {
   const std::size_t burs = s.scene->burs.size();
   if (s.last.bur >= burs || index_of(s.last.tissue) >= kTissueCodes || s.guard.fault > Fault::stale) return false;
-  if (s.pending_sweep.bur >= burs || s.pending_sweep.next < -1) return false;
+  if (s.pending_sweep.bur >= burs) return false;
   if (!has_vertices(s.cut_way, s.cut_pending ? 1 : 0, Polyline::kMost - 1)) return false;
-  if (!has_vertices(s.pending_sweep.way, s.pending_sweep.next >= 0 ? 2 : 0, Polyline::kMost)) return false;
+  if (!has_vertices(s.pending_sweep.way, s.pending_sweep.waits ? 2 : 0, Polyline::kMost)) return false;
   if (!in_store(s.sweeps, {s.cut_first, s.cut_last}) || !in_store(s.sweeps, {s.pending_sweep.first, s.pending_sweep.last})) return false;
   if (!name_sweeps(s.volume, s.sweeps)) return false;
   for (std::size_t i = 0; i < s.memory.size(); ++i) {

@@ -85,14 +85,14 @@ void visit(Fields& f, T& way) {
 
 template <class Fields, MaybeConst<StepState::Inner::PendingSweep> T>
 void visit(Fields& f, T& sweep) {
-  auto& [way, axis, bur, start_carved, first, last, next] = sweep;
+  auto& [way, axis, bur, start_carved, first, last, waits] = sweep;
   visit(f, way);
   f("pending_sweep.axis", axis);
   f("pending_sweep.bur", bur);
   f("pending_sweep.start_carved", start_carved);
   f("pending_sweep.first", first);
   f("pending_sweep.last", last);
-  f("pending_sweep.next", next);
+  f("pending_sweep.waits", waits);
 }
 
 template <class Fields, MaybeConst<PhenomenaState> T>

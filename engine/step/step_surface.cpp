@@ -29,8 +29,6 @@ constexpr double kOutrunTimes = 1.5, kOutrunMm = 0.02;
 constexpr int kParts = 8, kHeadParts = 4;  // the second of a head that is no ball and does not cut: its search costs more
 /// Reach of a search: the device's motion times kReach, and kReachMm.
 constexpr double kReach = 1.1, kReachMm = 0.004;
-/// A device that moves less in a tick waits for its proxy, mm: 20 mm/s at 1 kHz, where milling goes at 5 and strokes at 50.
-constexpr double kSlowMm = 0.02;
 /// Tolerance of a prediction, as a share of the device's motion and a length. The proxy's excess motion predicts the
 /// next one if it is larger, and differs from the last tick's by less.
 constexpr double kPredictionTolerance = 0.1, kPredictionToleranceMm = 0.002;
@@ -56,56 +54,39 @@ Touched touched_by(const Scene& scene, const Contact& contact) noexcept {
 Cutting cutting_of(const StepState::Inner& state) noexcept {
   Cutting out;
   const StepState::Inner::PendingSweep& sweep = state.pending_sweep;
-  if (state.cut_pending || sweep.next >= 0)
-    out.uncarved = {sweep.next >= 0 ? sweep.first : state.cut_first, state.cut_last};
+  if (state.cut_pending || sweep.waits)
+    out.uncarved = {sweep.waits ? sweep.first : state.cut_first, state.cut_last};
   if (out.uncarved.from < 0) out.uncarved = {};
   out.end = out.uncarved.to >= out.uncarved.from ? out.uncarved.from : state.sweeps.size();
   return out;
 }
 
-/// Carves so many bricks of the pending sweep. False if the volume had no room.
-bool carve_pending(StepState::Inner& state, int bricks) noexcept {
+/// Carves the pending sweep. False if the volume had no room.
+bool carve_pending(StepState::Inner& state) noexcept {
   StepState::Inner::PendingSweep& sweep = state.pending_sweep;
-  if (sweep.next < 0) return true;
+  if (!sweep.waits) return true;
   const Bur& bur = state.scene->burs[sweep.bur];
   Carved carved;
   if (!bur.head.ball())
-    carved = carve_sweep(state.volume, sweep.way, bur, sweep.axis, sweep.start_carved ? SweepStart::carved : SweepStart::uncut, {sweep.next, bricks});
+    carved = carve_sweep(state.volume, sweep.way, bur, sweep.axis, sweep.start_carved ? SweepStart::carved : SweepStart::uncut);
   else if (sweep.first >= 0)
-    carved = carve_run(state.volume, state.sweeps, {sweep.first, sweep.last}, {sweep.next, bricks});
+    carved = carve_run(state.volume, state.sweeps, {sweep.first, sweep.last});
   else
-    carved = carve_sweep(state.volume, sweep.way.first(), sweep.way.last(), bur.radius_mm, {sweep.next, bricks});
+    carved = carve_sweep(state.volume, sweep.way.first(), sweep.way.last(), bur.radius_mm);
   for_changed(carved, [&](const ChangedVoxels& changed) { state.surface->changed(state.volume, changed); });
-  sweep.next = carved.next;
+  sweep.waits = false;
   state.surface->set_cutting(cutting_of(state));
   const bool room = drop_crumbs(state, carved);
   return room && !carved.overflow;
 }
 
-constexpr int kAllBricks = 1 << 30;
-
-/// Ticks that carve what a ball's front covers. At 5 mm/s a sweep of kLeastBallSweepMm lasts 12 ticks and changes 0.6 to 0.8 of the
-/// front's bricks (round 4 to 8, mean); a slower pace makes more ticks carve (tests/engine/step/tick_work.cpp).
-constexpr double kFrontTicks = 6.0;
-
-/// Bricks a tick that carve a sweep well before the next one is queued, which carves the rest at once. Of another head all: each
-/// part costs as much again for the cells beside it.
-int bricks_a_tick(const StepState::Inner& state) noexcept {
-  const StepState::Inner::PendingSweep& sweep = state.pending_sweep;
-  const double side = kBrickEdge * state.volume.grid().voxel_mm;
-  const Bur& bur = state.scene->burs[sweep.bur];
-  const double across = 2.0 * bur.radius_mm / side + 1.0, front = across * across;
-  // A small ball's front lies in few bricks.
-  return !bur.head.ball() || front < 10.0 ? kAllBricks : 1 + static_cast<int>(front / kFrontTicks);
-}
-
 /// Queues the sweep along cut_way to cut_pose, after carving the one that was pending. False if the volume had no room.
 bool queue_sweep(StepState::Inner& state, std::uint16_t bur) noexcept {
-  const bool room = carve_pending(state, kAllBricks);
+  const bool room = carve_pending(state);
   StepState::Inner::PendingSweep& sweep = state.pending_sweep;
   const bool goes_on =
       sweep.way.count > 0 && sweep.way.last() == state.cut_way.first() && sweep.axis == state.cut_axis && sweep.bur == bur;
-  sweep = {state.cut_way, state.cut_axis, bur, goes_on, state.cut_first, state.cut_last, 0};
+  sweep = {state.cut_way, state.cut_axis, bur, goes_on, state.cut_first, state.cut_last, true};
   sweep.way.add(state.cut_pose);
   state.cut_way = {{state.cut_pose}, 1};
   state.sweeps.seal();
@@ -116,7 +97,7 @@ bool queue_sweep(StepState::Inner& state, std::uint16_t bur) noexcept {
 /// Carves all that has been swept. False if the volume had no room.
 bool carve_all(StepState::Inner& state, std::uint16_t bur) noexcept {
   const bool room = !state.cut_pending || queue_sweep(state, bur);
-  return carve_pending(state, kAllBricks) && room;
+  return carve_pending(state) && room;
 }
 
 /// The device's motion in a tick, and the proxy's answer to it.
@@ -133,19 +114,16 @@ void add_flags(const Contact& contact, StepOutput& out) noexcept {
 
 /// Of a solve for the whole way of the device, or in parts for one that the proxy outruns.
 enum class WayIs : std::uint8_t { whole, outrun };
-const SurfaceContact::Budget& budget_of(const StepState::Inner& state, const Tick& tick, std::uint16_t bur, const Motion& motion,
-                                        WayIs way) noexcept {
+const SurfaceContact::Budget& budget_of(const StepState::Inner& state, const Tick& tick, std::uint16_t bur, WayIs way) noexcept {
   if (!tick.cut && !state.cut_valid) return SurfaceContact::kExploring;
-  if (state.scene->burs[bur].head.ball()) return SurfaceContact::kCutting;
-  if (way == WayIs::outrun) return SurfaceContact::kShort;
-  return motion.moved > kSlowMm ? SurfaceContact::kCutting : SurfaceContact::kCuttingSlowly;
+  return way == WayIs::outrun && !state.scene->burs[bur].head.ball() ? SurfaceContact::kShort : SurfaceContact::kCutting;
 }
 
 /// Solves for the same way in parts. In one step the proxy can cross an edge that stops an evenly moving device. Once a part of the
 /// way outruns it too, by more than `most`, the rest is one part.
 Contact solve_in_parts(StepState::Inner& state, const Tick& tick, const Motion& motion, double most, StepOutput& out) noexcept {
   SurfaceContact& surface = *state.surface;
-  surface.reset_budget(budget_of(state, tick, out.bur, motion, WayIs::outrun));
+  surface.reset_budget(budget_of(state, tick, out.bur, WayIs::outrun));
   Contact contact;
   Vec3 at = state.proxy;
   const int parts = tick.cut || state.scene->burs[out.bur].head.ball() ? kParts : kHeadParts;
@@ -171,7 +149,7 @@ Contact follow_device(StepState::Inner& state, const Tick& tick, const Motion& m
   const double most = kOutrunTimes * moved + kOutrunMm;
   const bool led = !state.last.deferred && moved > 0.0;
 
-  surface.start_tick(cutting_of(state), budget_of(state, tick, out.bur, motion, WayIs::whole));
+  surface.start_tick(cutting_of(state), budget_of(state, tick, out.bur, WayIs::whole));
   // The tick that ends a stroke carves the rest of it; edges are resolved in later ticks.
   const bool cuts = tick.cut || state.cut_valid;
   surface.resolve(state.volume, state.scene->burs[out.bur], tick.axis, state.proxy,
@@ -298,13 +276,12 @@ Contact cut_tissue(StepState::Inner& state, const Tick& tick, const Contact& con
     state.cut_pose = next;
   }
   state.cut_valid = true;
-  const Contact after =
-      state.surface->after_cut(state.volume, *state.scene, out.bur, tick.axis, contact, tick.device, cut.advance_mm);
-  // The field waits: a ball's sweeps and a head's past poses count at once. Small burs are carved once a tick at most, for the
-  // features about them are recomputed afterwards: by the next tick.
-  const int bricks = bricks_a_tick(state);
-  if (state.pending_sweep.next >= 0 && (!carved || bricks != kAllBricks)) {
-    out.overflow = !carve_pending(state, bricks) || out.overflow;
+  const Contact after = state.surface->solve(state.volume, *state.scene, out.bur, tick.axis, contact.pose_mm, tick.device, Vec3(0.0),
+                                             cut.advance_mm + kReachMm, SurfaceContact::kAnyWay);
+  // The field waits: a ball's sweeps and a head's past poses count at once. A tick carves once at most, for the
+  // features about the bur are recomputed afterwards: by the next tick.
+  if (state.pending_sweep.waits && !carved) {
+    out.overflow = !carve_pending(state) || out.overflow;
     state.carved = !state.scene->burs[out.bur].head.ball();
   }
   add_flags(after, out);

@@ -7,10 +7,10 @@
 
 namespace cusp::engine {
 
-/// x(t) = at + tangent t + bend t^2 + twist t^3 + fourth t^4 for |t| <= 0.7, in voxels from the cell's lower corner;
+/// x(t) = at + tangent t + bend t^2 + twist t^3 for |t| <= 0.7, in voxels from the cell's lower corner;
 /// tangent is unit.
 struct SharpEdge {
-  Vec3 at{0.5}, tangent{0.0}, bend{0.0}, twist{0.0}, fourth{0.0};
+  Vec3 at{0.5}, tangent{0.0}, bend{0.0}, twist{0.0};
 };
 
 /// Where a and b are both zero, nearest to `from` by Newton's shortest steps. a, b: distance in voxels at a place of
@@ -40,7 +40,7 @@ inline bool meet(const A& a, const B& b, Vec3 from, Vec3& at, Vec3& tangent) noe
 /// The curve along which a and b meet, about out.at, which lies on it: through four places as far as `half` either way.
 template <class A, class B>
 inline void fit_curve(const A& a, const B& b, double half, SharpEdge& out) noexcept {
-  out.bend = out.twist = out.fourth = Vec3(0.0);
+  out.bend = out.twist = Vec3(0.0);
   const double near = 0.5 * half;
   Vec3 x[4], along;
   int k = 0;
@@ -56,7 +56,6 @@ inline void fit_curve(const A& a, const B& b, double half, SharpEdge& out) noexc
   if (glm::dot(bend, bend) < 0.25 && glm::dot(twist, twist) < 0.25 && glm::dot(fourth, fourth) < 0.25) {
     out.bend = bend;
     out.twist = twist;
-    out.fourth = fourth;
   }
 }
 
@@ -69,7 +68,7 @@ inline bool edge_of(const A& a, const B& b, Vec3 from, SharpEdge& out) noexcept 
   if (!meet(a, b, slid, out.at, out.tangent)) return false;
   for (int i = 0; i < 3; ++i)
     if (!(out.at[i] > -0.1 && out.at[i] < 1.1)) return false;
-  out.bend = out.twist = out.fourth = Vec3(0.0);
+  out.bend = out.twist = Vec3(0.0);
   // A cubic through half a voxel on either side.
   Vec3 before, after, t;
   constexpr double kSide = 0.5;

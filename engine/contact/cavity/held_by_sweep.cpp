@@ -10,10 +10,8 @@ namespace {
 
 constexpr int kAbout = Sweeps::kBeside;  // sweeps before and after the wall's owner among which the ball's holder is looked for
 constexpr int kMostAlong = 64;        // sweeps that the ball passes in a tick
-constexpr int kHops = 8;              // owners of walls that are tried
 constexpr double kAtDeviceMm = 1e-6;  // a ball so near to the device is pulled nowhere
-constexpr double kOtherWayMm = 0.05;  // another owner lies no further along the way
-constexpr int kHopWork = 16; // units of 25 ns
+constexpr int kHeldWork = 16;  // units of 25 ns
 
 }  // namespace
 
@@ -57,38 +55,27 @@ CavityWalls::Held CavityWalls::held_by_sweep(const Volume& volume, const Ball& b
   const Vec3 front = ball.at + way * (ball.radius_mm / far);
   const SweptRuns& first = void_.runs_at(volume, front, cutting_.end);
   if (!first.known) return out;
-  work_ += kHopWork;
+  work_ += kHeldWork;
   std::int32_t sweep = deepest(first, front).sweep;
   if (sweep == Sweeps::kNone) return out;
   sweep = holder(ball, sweep);
   if (sweep == Sweeps::kNone || !along_way(ball, device, sweep)) return out;
-  for (int hop = 0; hop < kHops; ++hop) {
-    work_ += kHopWork;
-    const Sweep s = sweeps_[sweep];
-    const double room = s.radius_mm - ball.radius_mm;
-    const Vec3 on = s.nearest_on(device), off = device - on;
-    const double distance = length_of(off);
-    if (distance <= room) return {true, device, 0.0, Vec3(0.0), Vec3(0.0)};
-    const Vec3 to = off / distance;
-    out.pose = on + to * room;
-    out.gap_mm = distance - room;
-    out.n = -to;
-    out.foot = on + to * s.radius_mm;
-    const SweptRuns& runs = void_.runs_at(volume, out.foot, cutting_.end);
-    if (!runs.known) return out;
-    const Sweeps::Deepest deep = deepest(runs, out.foot);
-    if (deep.sweep == sweep || deep.depth_mm <= SweptVoid::kTakenMm) {
-      out.held = !runs.near_base || void_.base(volume, out.foot).d_mm < -SweptVoid::kBaseTakenMm;
-      return out;
-    }
-    // The way between both is short, and the ball fits along it.
-    const std::int32_t low = std::min(sweep, deep.sweep), high = std::max(sweep, deep.sweep);
-    if (high - low > kAbout || sweeps_.about(low, 0, high - low).to != high) return out;
-    double along = 0.0;
-    for (std::int32_t id = low; id < high; ++id) along += length_of(sweeps_[id].b - sweeps_[id].a);
-    if (along > kOtherWayMm || sweeps_.radius_mm(deep.sweep) < ball.radius_mm) return out;
-    sweep = deep.sweep;
-  }
+  work_ += kHeldWork;
+  const Sweep s = sweeps_[sweep];
+  const double room = s.radius_mm - ball.radius_mm;
+  const Vec3 on = s.nearest_on(device), off = device - on;
+  const double distance = length_of(off);
+  if (distance <= room) return {true, device, 0.0, Vec3(0.0), Vec3(0.0)};
+  const Vec3 to = off / distance;
+  out.pose = on + to * room;
+  out.gap_mm = distance - room;
+  out.n = -to;
+  out.foot = on + to * s.radius_mm;
+  const SweptRuns& runs = void_.runs_at(volume, out.foot, cutting_.end);
+  if (!runs.known) return out;
+  const Sweeps::Deepest deep = deepest(runs, out.foot);
+  if (deep.sweep != sweep && deep.depth_mm > SweptVoid::kTakenMm) return out;
+  out.held = !runs.near_base || void_.base(volume, out.foot).d_mm < -SweptVoid::kBaseTakenMm;
   return out;
 }
 

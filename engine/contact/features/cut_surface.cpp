@@ -203,22 +203,6 @@ void CutSurface::decode_wide(const Volume& volume, IVec3 brick) noexcept {
   decode<3, 4>(volume.specimen(), brick, asked_, wide_, cut_values(volume));
 }
 
-/// Stale cells that had no features and that no surface crosses are up to date.
-void CutSurface::pass_empty(const Volume& volume, int brick, Slot& slot) const noexcept {
-  std::uint64_t has[kBrickEdge] = {};
-  const auto mark = [&has](int cell) { has[cell >> 6] |= std::uint64_t{1} << (cell & 63); };
-  const BasePoints points = volume.specimen().surface().in(brick);
-  for (int i = 0; i < points.count; ++i) mark(points.normal[i].cell());
-  for (std::int32_t p = slot.first; p >= 0; p = page(p).next)
-    for (int i = 0; i < page(p).count; ++i) mark(page(p).feature[i].cell);
-  const std::uint16_t* values = volume.cut_of(brick);
-  for (int z = 0; z < kBrickEdge; ++z)
-    for (std::uint64_t left = slot.stale[z] & ~has[z]; left != 0; left &= left - 1) {
-      const std::uint16_t s = values[z << 6 | std::countr_zero(left)];
-      if (s < kLeast || s > kMost) slot.stale[z] &= ~(left & (0 - left));
-    }
-}
-
 void CutSurface::refresh(const Volume& volume, int brick, const CellsNear& cells) noexcept {
   Slot& slot = slots_[static_cast<std::size_t>(volume.cut_slot(brick))];
   asked_ = {kBrickEdge, -1, kBrickEdge, -1};
@@ -230,10 +214,7 @@ void CutSurface::refresh(const Volume& volume, int brick, const CellsNear& cells
     asked_.first_z = std::min(asked_.first_z, z);
     asked_.last_z = z;
   }
-  if (asked_.last_z < 0) {
-    if (on_) pass_empty(volume, brick, slot);
-    return;
-  }
+  if (asked_.last_z < 0) return;
   const IVec3 at = volume.specimen().brick_at(brick);
   const IVec3 corner = at * kBrickEdge;
   const std::uint16_t* values = volume.cut_of(brick);

@@ -26,7 +26,6 @@ struct CutFeature {
   Vec3f normal{0.0f};           // out of the tissue; for an edge its tangent
   Vec3f other_normal{0.0f};     // of the nearest other surface; an edge's bend, per mm
   Vec3f third_normal{0.0f};     // of the next; an edge's twist, per mm^2
-  Vec3f fourth{0.0f};           // of an edge, per mm^3
   float other_d_mm = 0.0f;      // distance of the point to the other surface, negative inside; an edge's first end, along it
   float third_d_mm = 0.0f;      // to the next; an edge's last end, along it
   std::uint16_t cell = 0;       // brick_offset of the cell's lower corner
@@ -139,7 +138,6 @@ class CutSurface {
   static constexpr int kWide = 15;
 
   void refresh(const Volume& volume, int brick, const CellsNear& cells) noexcept;
-  void pass_empty(const Volume& volume, int brick, Slot& slot) const noexcept;
   /// Cells of these parts in a slice.
   static std::uint64_t cells_of(Parts parts, int z) noexcept {
     const unsigned both = parts >> (2 * z) & 3u;

