@@ -17,8 +17,9 @@ namespace {
 constexpr double kLongestSweepMm = 0.04;
 /// Of a ball that does not go straight. Contact has its sweeps exactly before and after; a carving costs a tick 75 us.
 constexpr double kLeastBallSweepMm = 0.06;
-/// A piece of another head's sweep ends where a bend of its path leaves the line by more: its clearance while it cuts.
-constexpr double kBentMm = SurfaceContact::kClearanceMm;
+/// A piece of another head's sweep ends where a bend of its path leaves the line by more: its clearance while it cuts, less what
+/// the field rounds by (4e-4 of a voxel of 0.1 mm).
+constexpr double kBentMm = SurfaceContact::kClearanceMm - 4e-5;
 /// A shorter slide takes at most its own length too much, and a carved sweep moves the contact that far anyway.
 constexpr double kLeastSlideMm = 0.0004;
 /// While sliding, the bur may stand this deep in tissue: more than kShallowTauMm needs no correction (slide_depth()).
@@ -276,8 +277,9 @@ Contact cut_tissue(StepState::Inner& state, const Tick& tick, const Contact& con
     state.cut_pose = next;
   }
   state.cut_valid = true;
-  const Contact after = state.surface->solve(state.volume, *state.scene, out.bur, tick.axis, contact.pose_mm, tick.device, Vec3(0.0),
-                                             cut.advance_mm + kReachMm, SurfaceContact::kAnyWay);
+  // It goes on about as far as the cut does.
+  const Contact after = state.surface->solve(state.volume, *state.scene, out.bur, tick.axis, contact.pose_mm, tick.device,
+                                             cut.end() - cut.pose, cut.advance_mm + kReachMm, SurfaceContact::kAnyWay);
   // The field waits: a ball's sweeps and a head's past poses count at once. A tick carves once at most, for the
   // features about the bur are recomputed afterwards: by the next tick.
   if (state.pending_sweep.waits && !carved) {
