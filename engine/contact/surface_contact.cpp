@@ -75,6 +75,7 @@ void SurfaceContact::forget() noexcept {
   walls_.forget();
   fields_.forget_cut();
   gathered_.valid = free_.valid = unresolved_far_.valid = false;
+  shank_free_ = {};
   free_pause_ = 0;
 }
 

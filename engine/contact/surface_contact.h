@@ -60,6 +60,7 @@ class SurfaceContact {
     walls_.changed(volume, low, high);
     fields_.forget_cut();
     gathered_.valid = free_.valid = unresolved_far_.valid = false;
+    shank_free_ = {};
   }
 
   /// Of a tick: candidates of all searches after reset_budget(), at 25 to 50 ns, and so many passes at least. Where it runs out,
@@ -345,6 +346,13 @@ class SurfaceContact {
   std::vector<double> low_;            // mm: least distance of each of near_, near built_.at
   std::size_t count_ = 0, ball_count_ = 0, shank_count_ = 0;
   Gathered gathered_;                  // of the head, then of the neck and the shank
+  /// Nothing stands within margin_mm of neck and shank; cutting only removes tissue.
+  struct ShankFree {
+    Vec3 centre{0.0}, axis{0.0};
+    double margin_mm = -1.0;
+    const Bur* bur = nullptr;
+  };
+  ShankFree shank_free_;
   FreeSpace free_;
   int free_pause_ = 0;                 // solves before find_free() is tried again
   std::uint64_t answered_free_ = 0;

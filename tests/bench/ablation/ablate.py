@@ -34,6 +34,7 @@ EVERY = 16  # mechanisms between two measurements of the tree as it stands
 RUNS = {
     "cavity": ["cavity", "--bur-radius-mm", "0.25", "--bur-radius-mm", "0.5", "--tremor-mm", "0.05", "--minutes", "2", "--budget-s", "0.3"],
     "heads": ["heads", "--bur", "57", "--bur", "35", "--bur", "368-023", "--bur", "862-012", "--axis", "fixed", "--samples", "250"],
+    "plunge": ["rate", "--method", "surface", "--task", "perforation"],
     "mill": ["rate", "--full", "--bur", "4", "--bur", "57", "--axis", "fixed"],
     "accuracy": ["accuracy", "--method", "surface", "--bur-radius-mm", "0.5", "--samples", "600"],
     "removal": ["removal", "--method", "surface", "--measure", "slide", "--measure", "ridge", "--measure", "hole"],
@@ -81,6 +82,8 @@ def quantities(rows):
         time(name, of)
     out["clean: most candidates"] = worst(clean, "max_candidates")
     out["heads: most candidates"] = worst(rows["heads"], "max_candidates")
+    for row in rows["plunge"]:
+        out[f"plunge, ball of {row['bur_radius_mm']} mm: tick mean, us"] = 1e6 / row["updates_per_s"]
     for row in rows["mill"]:
         name = "milling, " + row["bur"].replace("_", " ")
         out[f"{name}: tick mean, us"] = row["tick_us_mean"]

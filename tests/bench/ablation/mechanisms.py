@@ -24,6 +24,7 @@ GATHER = "engine/contact/surface_gather.cpp"
 PLANES = "engine/contact/surface_planes.cpp"
 CONSTRAINTS = "engine/contact/surface_constraints.cpp"
 POLISH = "engine/contact/surface_polish.cpp"
+IN_SWEEP = "engine/contact/surface_in_sweep.cpp"
 RESOLVE = "engine/contact/surface_resolve.cpp"
 CAVITY = "engine/contact/surface_cavity.cpp"
 WALLS = "engine/contact/cavity/cavity_walls.cpp"
@@ -123,6 +124,8 @@ MECHANISMS = [
     # The cavity that balls have cut.
     mechanism("cavity", "one sweep answers alone",
               (CONTACT, "(solve_in_sweep(volume, tool, from, device, reach_mm, out) ||", "((false && solve_in_sweep(volume, tool, from, device, reach_mm, out)) ||")),
+    mechanism("cavity", "free neck and shank are known for some ticks",
+              (IN_SWEEP, "  if (known.bur == tool.bur &&", "  if (false && known.bur == tool.bur &&")),
     mechanism("cavity", "curvature in the metric",
               (CAVITY, "at) * found.weight[a];\n  return out;", "at) * found.weight[a];\n  return out * 0.0;")),
     mechanism("cavity", "a pass solves again by its own curvature",
