@@ -36,7 +36,7 @@ class Drilled : public Shape {
     // The head's end lies a radius below its pivot.
     return test::cut_along(state, 1, world({0.0, 0.0, hole_ + 0.2}), world({0.0, 0.0, 0.0}));
   }
-  std::unique_ptr<Truth> truth() const override;
+  std::unique_ptr<Truth> truth() const override { return std::make_unique<OneSheet<Drilled>>(*this); }
 
   /// Of the ball's centre.
   double clearance_mm(Vec3 centre) const {
@@ -90,24 +90,6 @@ class Drilled : public Shape {
   Frame frame_ = oblique_frame();
   double hole_, ball_;  // radii, mm; the ball is thinner against what was cut
 };
-
-class InDrilled : public Truth {
- public:
-  explicit InDrilled(const Drilled& shape) : shape_(shape) {}
-  double clearance_mm(Vec3 centre) const override { return shape_.clearance_mm(centre); }
-
- protected:
-  Vec3 place(Vec3 centre) override { return shape_.proxy(centre); }
-  Exact move_to(Vec3 device) override {
-    const Vec3 pose = shape_.proxy(device);
-    return {pose, pose != device, false};
-  }
-
- private:
-  const Drilled& shape_;
-};
-
-std::unique_ptr<Truth> Drilled::truth() const { return std::make_unique<InDrilled>(*this); }
 
 }  // namespace
 

@@ -13,29 +13,12 @@ constexpr double kAboveRoundMm = 0.05;  // mm: where a press starts, above its s
 constexpr double kRoundHomeMm = 14.0;   // mm from the middle: no bur of 3 mm touches the 10 mm box there
 constexpr double kSphereMm = 4.0, kCylinderMm = 2.0, kPitOverBur = 1.2, kWallMm = 0.2;
 
-/// Exact proxy of a shape that gives distance_mm and proxy in closed form.
-template <class S>
-class OneSheet : public Truth {
- public:
-  explicit OneSheet(const S& shape) : shape_(shape) {}
-  double clearance_mm(Vec3 centre) const override { return shape_.distance_mm(centre) - shape_.bur_radius_mm(); }
-
- protected:
-  Vec3 place(Vec3 centre) override { return shape_.proxy(centre); }
-  Exact move_to(Vec3 device) override {
-    const Vec3 pose = shape_.proxy(device);
-    return {pose, pose != device, false};
-  }
-
- private:
-  const S& shape_;
-};
-
 class RoundShape : public Shape {
  public:
   using Shape::Shape;
   Vec3 tool_axis() const override { return frame_.z; }
   Vec3 home() const override { return frame_.to_world({0.0, 0.0, kRoundHomeMm}); }
+  double clearance_mm(Vec3 centre) const { return distance_mm(centre) - bur_radius_mm(); }
 
  protected:
   Frame frame_ = oblique_frame();

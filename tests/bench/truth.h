@@ -55,4 +55,22 @@ class Truth {
   Exact exact_;
 };
 
+/// Of a shape that gives clearance_mm(centre) and proxy(device) in closed form, without memory.
+template <class S>
+class OneSheet : public Truth {
+ public:
+  explicit OneSheet(const S& shape) : shape_(shape) {}
+  double clearance_mm(Vec3 centre) const override { return shape_.clearance_mm(centre); }
+
+ protected:
+  Vec3 place(Vec3 centre) override { return shape_.proxy(centre); }
+  Exact move_to(Vec3 device) override {
+    const Vec3 pose = shape_.proxy(device);
+    return {pose, pose != device, false};
+  }
+
+ private:
+  const S& shape_;
+};
+
 }  // namespace cusp::bench
