@@ -34,6 +34,7 @@ SurfaceContact::SurfaceContact(const Scene& scene, const Volume& volume, const C
       memory_(memory),
       candidates_(candidate_room(scene)),
       features_(candidates_.size()),
+      point_lists_(candidates_.size() + 1),
       sources_(candidates_.size()),
       known_(candidates_.size()),
       faces_(candidates_.size()),

@@ -137,13 +137,16 @@ class SurfaceContact {
     Tissue tissue = Tissue::empty;
     std::uint8_t others = 0;
   };
-  /// Where a candidate is made from: a page of the cut's surface, or the specimen's own points.
-  struct Source {
+  /// Where candidates are made from: a page of the cut's surface, or a brick's own points.
+  struct PointList {
     const CutSurface::Page* page = nullptr;
     std::int32_t brick = 0;
+    IVec3 at{0};  // the brick's place
+  };
+  struct Source {
+    std::int32_t list = 0;  // of point_lists_
     std::uint16_t index = 0;
     Kind kind = Kind::surface;
-    std::int16_t x = 0, y = 0, z = 0;  // of the brick
   };
   /// How a plane came to be, beside Plane itself.
   struct Origin {
@@ -248,8 +251,7 @@ class SurfaceContact {
                            double slack_mm) const noexcept;
   bool on_edge(const Candidate& c) const noexcept;
   Constraint plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm) const noexcept;
-  void add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
-                  const CutSurface::Page* page, Kind kind) noexcept;
+  void add_unmade(float x, float y, float z, Source source) noexcept;
   void make(const Volume& volume, const Tool& tool, std::size_t i) noexcept;
   void build_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
   bool rebuild_constraints(const Tool& tool, Vec3 at, double slack_mm) noexcept;
@@ -324,6 +326,7 @@ class SurfaceContact {
   IVec3 bricks_low_{0}, bricks_high_{0};  // bricks that hold a surface or can be cut
   std::vector<Candidate> candidates_;  // at hand, then those of the foot
   std::vector<CutFeature> features_;   // of those that no kept page of the cut's surface holds
+  std::vector<PointList> point_lists_;
   std::vector<Source> sources_;
   std::vector<Known> known_;
   SeenVoxels insides_;                 // of the head's candidates

@@ -18,9 +18,8 @@ constexpr double kRimReach = 1.0;
 }  // namespace
 
 /// A candidate that is only made when a search comes near it. x, y, z: voxels from where it is gathered.
-void SurfaceContact::add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
-                                const CutSurface::Page* page, Kind kind) noexcept {
-  if (count_ == candidates_.size()) {
+inline void SurfaceContact::add_unmade(float x, float y, float z, Source source) noexcept {
+  if (count_ == known_.size()) {
     overflow_ = true;
     return;
   }
@@ -28,29 +27,29 @@ void SurfaceContact::add_unmade(float x, float y, float z, std::int32_t brick, I
   place_y_[count_] = y;
   place_z_[count_] = z;
   known_[count_] = Known::unmade;
-  sources_[count_++] = {page, brick, static_cast<std::uint16_t>(index), kind, static_cast<std::int16_t>(at.x),
-                        static_cast<std::int16_t>(at.y), static_cast<std::int16_t>(at.z)};
+  sources_[count_++] = source;
 }
 
 /// Pre: it is not made yet.
 void SurfaceContact::make(const Volume& volume, const Tool& tool, std::size_t i) noexcept {
   Candidate& out = candidates_[i];
-  const Source& source = sources_[i];
+  const Source source = sources_[i];
+  const PointList& list = point_lists_[static_cast<std::size_t>(source.list)];
   const Grid& grid = volume.grid();
   Vec3 place;
   CutFeature base;
   const CutFeature* feature = &base;
-  if (source.page != nullptr) {
-    const CutSurface::Page& page = *source.page;
+  if (list.page != nullptr) {
+    const CutSurface::Page& page = *list.page;
     place = Vec3(page.x[source.index], page.y[source.index], page.z[source.index]);
     feature = &page.feature[source.index];
   } else {
     const BaseSurface& surface = volume.specimen().surface();
-    const BasePoints points = surface.in(source.brick);
+    const BasePoints points = surface.in(list.brick);
     place = Vec3(points.x[source.index], points.y[source.index], points.z[source.index]);
     base_feature(surface, points, source.index, grid.voxel_mm, base);
   }
-  out.point = grid.origin_mm + grid.voxel_mm * (Vec3(IVec3(source.x, source.y, source.z) * kBrickEdge) + place);
+  out.point = grid.origin_mm + grid.voxel_mm * (Vec3(list.at * kBrickEdge) + place);
   if (source.kind == Kind::shank && sweeps_.size() > 0 && !walls_.move_out(volume, {0, -1}, kMostMovedOut * voxel_mm_, out.point))
     out.point = Vec3(kGoneMm);
   out.normal = Vec3(feature->normal);
@@ -85,13 +84,16 @@ void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 ce
   const SweptVoid::Known* walls = cut && tool.ball() && part == ToolPart::head ? &walls_.known(volume, brick) : nullptr;
   const BasePoints base_points = cut ? BasePoints{} : volume.specimen().surface().in(brick);
   const auto gather_near = [&](const float* x, const float* y, const float* z, int count, const CutSurface::Page* page) {
+    // Candidates lie by rising list, so that lists are at most as many, and one more.
+    const std::int32_t list = count_ == 0 ? 0 : sources_[count_ - 1].list + 1;
+    point_lists_[static_cast<std::size_t>(list)] = {page, brick, at};
     near(x, y, z, count, local, has_edges, [&](int i) {
       // At an inner edge a head that is no ball has exact places inside, all else the rounded point.
       const bool of_head = !tool.ball() && part == ToolPart::head;
       if (page != nullptr && (of_head ? page->feature[i].inner_edge : page->feature[i].inside)) return;
       // Of these cells a ball has walls and ridges; its neck and shank have points.
       if (walls != nullptr && page != nullptr && (page->feature[i].swept || walls->has(page->feature[i].cell))) return;
-      const bool edge = page == nullptr ? base_points.normal[i].edge() : page->feature[i].edge;
+      const bool edge = page == nullptr ? has_edges && base_points.normal[i].edge() : page->feature[i].edge;
       const Kind kind = part == ToolPart::shank                       ? Kind::shank
                         : edge                                        ? Kind::edge
                         : page != nullptr && page->feature[i].inside ? Kind::inside
@@ -101,7 +103,7 @@ void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 ce
         const IVec3 voxel = at * kBrickEdge + IVec3(static_cast<int>(x[i]), static_cast<int>(y[i]), static_cast<int>(z[i]));
         if (!insides_.add(voxel)) return;
       }
-      add_unmade(x[i] - local.x, y[i] - local.y, z[i] - local.z, brick, at, i, page, kind);
+      add_unmade(x[i] - local.x, y[i] - local.y, z[i] - local.z, {list, static_cast<std::uint16_t>(i), kind});
     });
   };
   if (!cut) {
