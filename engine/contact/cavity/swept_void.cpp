@@ -19,28 +19,46 @@ std::size_t place_of(IVec3 cell) noexcept {
   return static_cast<std::size_t>((cell.x & 15) | (cell.y & 15) << 4 | (cell.z & 15) << 8);
 }
 
-/// Calls visit(i, values, offset) for a cell's eight voxels. values: of(brick) of the brick that holds voxel i, or nullptr.
-template <class Of, class Visit>
-void for_corners(const Specimen& specimen, IVec3 cell, Of&& of, Visit&& visit) noexcept {
-  const IVec3 brick(cell.x >> 3, cell.y >> 3, cell.z >> 3), local(cell.x & 7, cell.y & 7, cell.z & 7);
-  const int over = (local.x == 7) | (local.y == 7) << 1 | (local.z == 7) << 2;  // axes along which it reaches the next brick
-  decltype(of(0)) values[8];
-  for (int i = 0; i < 8; ++i) {
-    if ((i & ~over) != 0) continue;
-    const int at = specimen.brick_index(brick + IVec3(i & 1, i >> 1 & 1, i >> 2));
-    values[i] = at < 0 ? nullptr : of(at);
+/// kSide voxels along each axis, from `low` on: their bricks and offsets. Where a brick ends cannot be predicted, so nothing
+/// branches on it.
+template <int kSide>
+class Window {
+ public:
+  Window(const Specimen& specimen, IVec3 low) noexcept {
+    const IVec3 bricks = specimen.brick_count(), stride(1, bricks.x, bricks.x * bricks.y);
+    for (int axis = 0; axis < 3; ++axis)
+      for (int k = 0; k < kSide; ++k) {
+        const int v = low[axis] + k, at = v >> 3;
+        brick_[axis][k] = at < 0 || at >= bricks[axis] ? kOutside : at * stride[axis];
+        offset_[axis][k] = (v & 7) << 3 * axis;
+      }
   }
-  for (int i = 0; i < 8; ++i) visit(i, values[i & over], brick_offset((local.x + (i & 1)) & 7, (local.y + (i >> 1 & 1)) & 7, (local.z + (i >> 2)) & 7));
+  /// What of(brick) has for a voxel; `none` outside or without of(brick).
+  template <class T, class Of>
+  T at(int x, int y, int z, T none, Of&& of) const noexcept {
+    const int brick = brick_[0][x] + brick_[1][y] + brick_[2][z];
+    const auto* values = brick < 0 ? nullptr : of(brick);
+    return values == nullptr ? none : values[offset_[0][x] | offset_[1][y] | offset_[2][z]];
+  }
+
+ private:
+  static constexpr int kOutside = -(1 << 29);  // three of them are no overflow
+  int brick_[3][kSide], offset_[3][kSide];
+};
+
+auto sweeps_in(const Volume& volume) noexcept {
+  return [&volume](int brick) { return volume.sweeps_of(brick); };
 }
 
 }  // namespace
 
 bool sweeps_of_cell(const Volume& volume, IVec3 cell, std::int32_t (&ids)[8]) noexcept {
+  const Window<2> window(volume.specimen(), cell);
   bool all = true;
-  for_corners(volume.specimen(), cell, [&](int brick) { return volume.sweeps_of(brick); }, [&](int i, const std::int32_t* from, int offset) {
-    ids[i] = from == nullptr ? Volume::kNoSweep : from[offset];
+  for (int i = 0; i < 8; ++i) {
+    ids[i] = window.at(i & 1, i >> 1 & 1, i >> 2, Volume::kNoSweep, sweeps_in(volume));
     all = all && ids[i] >= 0;
-  });
+  }
   return all;
 }
 
@@ -116,13 +134,10 @@ void SweptVoid::find_known(const Volume& volume, IVec3 at, Known& out) const noe
 double SweptVoid::about_mm(const Volume& volume, Vec3 p) const noexcept {
   const Vec3 x = (p - origin_mm_) / voxel_mm_;
   const IVec3 cell = cell_of_voxels(x);
+  const Window<2> window(volume.specimen(), cell);
   int values[8];
-  bool any = false;
-  for_corners(volume.specimen(), cell, [&](int brick) { return volume.cut_of(brick); }, [&](int i, const std::uint16_t* from, int offset) {
-    values[i] = from == nullptr ? kSolid : from[offset];
-    any = any || from != nullptr;
-  });
-  if (!any) return -kBandVoxels * voxel_mm_;
+  for (int i = 0; i < 8; ++i)
+    values[i] = window.at(i & 1, i >> 1 & 1, i >> 2, kSolid, [&volume](int brick) { return volume.cut_of(brick); });
   const Vec3 f = x - Vec3(cell);
   // Both slices at once.
   const auto slices = [&](int i) { return Pair{static_cast<double>(values[i]), static_cast<double>(values[i + 4])}; };
@@ -134,18 +149,16 @@ double SweptVoid::about_mm(const Volume& volume, Vec3 p) const noexcept {
 
 /// Adds those of the voxels beyond its faces to the ids of a cell's own voxels. Their number.
 int SweptVoid::names_about(const Volume& volume, IVec3 cell, std::int32_t (&ids)[kNames]) const noexcept {
+  const Window<4> window(volume.specimen(), cell - 1);
   int names = 8;
   for (int axis = 0; axis < 3; ++axis)
-    for (const int beyond : {-1, 2})
+    for (const int beyond : {0, 3})
       for (int i = 0; i < 4; ++i) {
-        IVec3 v = cell;
-        v[axis] += beyond;
+        IVec3 v(1);
+        v[axis] = beyond;
         v[(axis + 1) % 3] += i & 1;
         v[(axis + 2) % 3] += i >> 1;
-        const int brick = volume.specimen().brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
-        const std::int32_t* from = brick < 0 ? nullptr : volume.sweeps_of(brick);
-        if (from == nullptr) continue;
-        const std::int32_t id = from[brick_offset(v.x & 7, v.y & 7, v.z & 7)];
+        const std::int32_t id = window.at(v.x, v.y, v.z, Volume::kNoSweep, sweeps_in(volume));
         if (id >= 0) ids[names++] = id;
       }
   return names;
