@@ -9,6 +9,7 @@ namespace cusp::engine {
 
 namespace {
 
+constexpr double kRounding = 1e-4;      // voxels: more than a cut value's quantum
 constexpr double kHalfDiagonal = 6.07;  // voxels from a brick's middle to its farthest voxel, and a little more
 
 /// A ball's sweep in voxels, four voxels of a row at a time. Single precision: 2e-6 of a voxel, a fortieth of a quantum.
@@ -56,9 +57,9 @@ class BallSweep {
     }
   };
   Way way_from(IVec3 corner) const noexcept { return {Vec3f(p_ - Vec3(corner)), Vec3f(along_), static_cast<float>(inverse_)}; }
-  /// Solid fractions at squared distances from the way, in 1/65535.
-  LaneMask solid(Lanes distances2) const noexcept {
-    const Lanes depth = static_cast<float>(r_) - sqrt_of(distances2);
+  /// Solid fractions at distances from the way, voxels, in 1/65535.
+  LaneMask solid_at(Lanes distances) const noexcept {
+    const Lanes depth = static_cast<float>(r_) - distances;
     const Lanes s = 0.5f - depth * static_cast<float>(1.0 / (2.0 * kBandVoxels));
     return __builtin_convertvector(most_of(least_of(s, all_lanes(1.0f)), Lanes{}) * 65535.0f + 0.5f, LaneMask);
   }
@@ -99,6 +100,8 @@ bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner,
   const double reach = all.chord.row_reach() + all.bend;
   BallSweep::Way way[kMostAtOnce];
   for (int k = 0; k < all.count; ++k) way[k] = all.sweep[k].way_from(corner);
+  const BallSweep::Way chord = all.chord.way_from(corner);
+  const auto closer = static_cast<float>(all.bend + kRounding);
   const std::uint16_t* known = volume.cut_of(brick);
   std::uint16_t* values = nullptr;
   std::int32_t* ids = nullptr;
@@ -112,6 +115,11 @@ bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner,
         if (four == 0) continue;
         const LaneMask before = from_memory(four);
         const Vec3f first(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+        // No sweep is nearer than their chord, less their bend.
+        if (all.count > 1) {
+          const Lanes least = most_of(sqrt_of(chord.distances2(first)) - closer, Lanes{});
+          if ((bits_of(all.chord.solid_at(least) < before) & meant >> x) == 0) continue;
+        }
         Lanes nearest = way[0].distances2(first);
         LaneMask by = LaneMask{} + all.sweep[0].id;
         for (int k = 1; k < all.count; ++k) {
@@ -120,7 +128,7 @@ bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner,
           nearest = nearer ? square : nearest;
           by = nearer ? (LaneMask{} + all.sweep[k].id) : by;
         }
-        const LaneMask now = all.sweep[0].solid(nearest);
+        const LaneMask now = all.sweep[0].solid_at(sqrt_of(nearest));
         const unsigned less = bits_of(now < before) & meant >> x;
         if (less == 0) continue;
         if (values == nullptr) {

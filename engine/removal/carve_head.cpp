@@ -1,6 +1,7 @@
 // Carving with a head that is a profile of revolution. Brick by brick: what is out of reach and what is gone already is
 // passed over; the outline's pieces that can be nearest anywhere in the brick are picked out; then four voxels at a time
 // in single precision, relative to the pivot in voxels: 1e-5 of a voxel, where a cut value's quantum is 8e-5.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -101,15 +102,11 @@ class Piece {
       const Vec3 off = Vec3(low) + kHalfEighth - kHalfBrick;
       const double near = nearest + glm::dot(slope, off);
       if (near - kHalfEighth * (steep.x + steep.y + steep.z) >= kBandVoxels) continue;
-      bool room = true;
-      if (plain) {
-        room = eighth(low, whole, slope, near);
-      } else {
-        const Seen part = seen(from + off, kHalfEighth, kEighthReach);
-        if (answered_elsewhere(part.where)) continue;
-        room = eighth(low, part, slope, near);
-      }
-      if (!room) return Did::no_room;
+      const unsigned rows = rows_to_lower(low, slope, near);
+      if (rows == 0) continue;
+      const Seen part = plain ? whole : seen(from + off, kHalfEighth, kEighthReach);
+      if (!plain && answered_elsewhere(part.where)) continue;
+      if (!eighth(low, part, slope, rows)) return Did::no_room;
     }
     return Did::lowered;
   }
@@ -163,22 +160,16 @@ class Piece {
   /// What the rows of an eighth share: places of its first row against the head, and what the head's rim asks.
   struct Eighth {
     IVec3 first;         // voxel of the specimen
-    Vec3 slope;          // of the distance at the middle
-    double foot_d;       // the least distance of the first row, voxels
     unsigned meant;      // lanes within the carved box
     bool rim, either;
     HeadMoves moves;
     Lanes foot_t, foot_p, foot_q, back_t, back_p;
     FourPlaces at;
   };
-  Eighth eighth_of(IVec3 first, unsigned meant, const Seen& seen, Vec3 slope, double nearest) const noexcept {
+  Eighth eighth_of(IVec3 first, const Seen& seen, Vec3 slope) const noexcept {
     Eighth e;
     e.first = first;
-    e.slope = slope;
-    e.meant = meant;
-    // A row's least is this and its steps: the tangent at the middle lies below.
-    const double down = slope.x < 0.0 ? 3.0 * slope.x : 0.0;
-    e.foot_d = nearest - kHalfEighth * (slope.x + slope.y + slope.z) + down;
+    e.meant = meant_in(first);
     e.moves = glm::dot(slope, way_) < 0.0 ? HeadMoves::away : HeadMoves::towards;
     e.either = seen.where == Nearest::either;
     e.rim = seen.hand.rim && rim_way_.leaves;
@@ -211,12 +202,16 @@ class Piece {
     return d;
   }
 
+  /// Solid fractions at distances in voxels, in 1/65535.
+  static LaneMask solid_of(Lanes d) noexcept {
+    const Lanes s = 0.5f + d * static_cast<float>(1.0 / (2.0 * kBandVoxels));
+    return __builtin_convertvector(most_of(least_of(s, all_lanes(1.0f)), Lanes{}) * 65535.0f + 0.5f, LaneMask);
+  }
+
   /// Lowers the row at offset o of the brick to the distance d. `four`: what stands there; `less`: the lanes it lowers. False if the
   /// volume has no room.
   bool lower_row(int o, std::uint64_t four, Lanes d, unsigned meant, unsigned& less) noexcept {
-    const Lanes s = 0.5f + d * static_cast<float>(1.0 / (2.0 * kBandVoxels));
-    const Lanes clamped = most_of(least_of(s, all_lanes(1.0f)), Lanes{});
-    const LaneMask solid = __builtin_convertvector(clamped * 65535.0f + 0.5f, LaneMask);
+    const LaneMask solid = solid_of(d);
     const LaneMask was = from_memory(four);
     less = bits_of(solid < was) & meant;
     if (less == 0) return true;
@@ -232,23 +227,47 @@ class Piece {
     return true;
   }
 
-  /// 4 x 4 x 4 voxels of the brick from `low` on; `nearest`: the least that their middle can be off the head.
-  /// False when the volume has no room.
-  bool eighth(IVec3 low, const Seen& seen, Vec3 slope, double nearest) noexcept {
+  /// Lanes of an eighth's rows that lie within the carved box.
+  unsigned meant_in(IVec3 first) const noexcept {
+    const int from = std::max(low_.x - first.x, 0), to = std::min(high_.x - first.x, 3);
+    return (0xfu << from) & (0xfu >> (3 - to));
+  }
+
+  /// Rows of an eighth that the piece may lower, a bit each: 4 z + y. `nearest`: the least that its middle can be off the head.
+  unsigned rows_to_lower(IVec3 low, Vec3 slope, double nearest) const noexcept {
+    constexpr double kRounding = 4e-4;  // voxels: of single precision and of cut values
     const IVec3 first = brick_->corner + low;
-    const IVec3 from = glm::max(low_ - first, IVec3(0));
-    const IVec3 to = glm::min(high_ - first, IVec3(3));
-    Eighth e = eighth_of(first, (0xfu << from.x) & (0xfu >> (3 - to.x)), seen, slope, nearest);
+    const IVec3 from = glm::max(low_ - first, IVec3(0)), to = glm::min(high_ - first, IVec3(3));
+    const unsigned meant = meant_in(first);
+    // Distance is convex: it lies above its tangent at the middle.
+    const double foot = nearest - kHalfEighth * (slope.x + slope.y + slope.z) - kRounding;
+    const Lanes along = Lanes{0.0f, 1.0f, 2.0f, 3.0f} * static_cast<float>(slope.x);
+    unsigned rows = 0;
     for (int z = from.z; z <= to.z; ++z)
       for (int y = from.y; y <= to.y; ++y) {
-        const int o = brick_offset(low.x, low.y + y, low.z + z);
         std::uint64_t four = ~std::uint64_t{0};
-        if (brick_->known != nullptr) __builtin_memcpy(&four, brick_->known + o, sizeof four);
-        if (four == 0 || e.foot_d + e.slope.y * y + e.slope.z * z >= kBandVoxels) continue;
-        unsigned less = 0;
-        if (!lower_row(o, four, row_distance(e, seen, y, z), e.meant, less)) return false;
-        brick_->changed.add_row(low.y + y, low.z + z, less << low.x);
+        if (brick_->known != nullptr) __builtin_memcpy(&four, brick_->known + brick_offset(low.x, low.y + y, low.z + z), sizeof four);
+        if (four == 0) continue;
+        Lanes d = static_cast<float>(foot + slope.y * y + slope.z * z) + along;
+        // Behind a rim places are deeper than the head.
+        if (rim_way_.leaves) d = d < 0.0f ? all_lanes(static_cast<float>(-kBandVoxels)) : d;
+        if ((bits_of(solid_of(d) < from_memory(four)) & meant) != 0) rows |= 1u << (4 * z + y);
       }
+    return rows;
+  }
+
+  /// Lowers rows of 4 x 4 x 4 voxels of the brick from `low` on. False when the volume has no room.
+  bool eighth(IVec3 low, const Seen& seen, Vec3 slope, unsigned rows) noexcept {
+    Eighth e = eighth_of(brick_->corner + low, seen, slope);
+    for (; rows != 0; rows &= rows - 1) {
+      const int row = __builtin_ctz(rows), y = row & 3, z = row >> 2;
+      const int o = brick_offset(low.x, low.y + y, low.z + z);
+      std::uint64_t four = ~std::uint64_t{0};
+      if (brick_->known != nullptr) __builtin_memcpy(&four, brick_->known + o, sizeof four);
+      unsigned less = 0;
+      if (!lower_row(o, four, row_distance(e, seen, y, z), e.meant, less)) return false;
+      brick_->changed.add_row(low.y + y, low.z + z, less << low.x);
+    }
     return true;
   }
 
