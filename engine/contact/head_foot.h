@@ -18,26 +18,19 @@ struct HeadFoot {
   Vec3 aside{0.0};      // unit, across the axis: where the deepest one is
 };
 
-/// Into a surface, by the axis.
-struct IntoSurface {
-  IntoSurface(Vec3 axis, Vec3 normal) noexcept : down{-glm::dot(normal, axis), 0.0}, sideways(-normal - axis * down.t) {
-    down.rho = length_of(sideways);
-  }
-  OnHalf down;
-  Vec3 sideways;  // across the axis; down.rho long
-};
-
 /// From the axis to a point, unit.
 inline Vec3 aside_of(const ByHead& point, Vec3 axis) noexcept { return point.at.rho > 0.0 ? point.off / point.at.rho : across(axis); }
 
 /// The head's place that stands deepest over the plane of a point of a surface. `deepest` if the plane is to be believed there:
 /// within `reach` of the point.
-inline HeadFoot deepest_foot(const Bur& bur, Vec3 axis, Vec3 normal, const IntoSurface& into, Vec3 point_from_pivot, const ByHead& point,
-                             double reach) noexcept {
+inline HeadFoot deepest_foot(const Bur& bur, Vec3 axis, Vec3 normal, Vec3 point_from_pivot, const ByHead& point, double reach) noexcept {
   HeadFoot foot;
   foot.normal = normal;
-  foot.aside = into.down.rho > 1e-9 ? into.sideways / into.down.rho : aside_of(point, axis);
-  const OnHalf deepest = bur.head.support(into.down, point.at);
+  OnHalf down{-glm::dot(normal, axis), 0.0};  // into the surface, by the axis
+  const Vec3 sideways = -normal - axis * down.t;
+  down.rho = length_of(sideways);
+  foot.aside = down.rho > 1e-9 ? sideways / down.rho : aside_of(point, axis);
+  const OnHalf deepest = bur.head.support(down, point.at);
   foot.at = axis * deepest.t + foot.aside * deepest.rho;
   const Vec3 d = foot.at - point_from_pivot;
   foot.over = glm::dot(normal, d);
@@ -52,7 +45,7 @@ HeadFoot foot_beside(const Bur& bur, Vec3 axis, Vec3 normal, Vec3 point_from_piv
 
 /// deepest_foot(), or foot_beside() where that one is not.
 inline HeadFoot head_foot(const Bur& bur, Vec3 axis, Vec3 normal, Vec3 point_from_pivot, ByHead& point, double reach) noexcept {
-  const HeadFoot foot = deepest_foot(bur, axis, normal, IntoSurface(axis, normal), point_from_pivot, point, reach);
+  const HeadFoot foot = deepest_foot(bur, axis, normal, point_from_pivot, point, reach);
   return foot.deepest ? foot : foot_beside(bur, axis, normal, point_from_pivot, point, reach, foot);
 }
 

@@ -14,7 +14,7 @@ constexpr double kRounding = 1e-9;   // mm: far more than a distance to a head i
 constexpr double kMostShift = 0.06;  // mm: near candidates are reused within this of the last full build
 constexpr double kLeavesTangent = 0.25;  // voxels that a cell's edge leaves its tangent by at most
 constexpr double kEdgeClose = 1e-4;      // voxels: leaves its distance off by 1e-8, the normal by 2e-6 degrees
-constexpr double kNormalRounding = 1e-6;  // mm: a single-precision normal is 1e-7 off unit, so a head of 9 mm by 9e-7
+constexpr double kNormalRounding = 1e-6;  // mm: a single-precision normal is 1e-7 off unit, so a height over a head of 9 mm by 9e-7
 constexpr double kEdgeBends = 0.02;      // below, it bends about the place about as the ball does
 constexpr int kEdgeNewton = 4;           // steps of Newton along an edge
 constexpr double kMostMovedNow = 0.5;    // voxels: a neck's point is moved so far out of what is not carved
@@ -241,18 +241,18 @@ std::size_t SurfaceContact::add_head_constraints(const Volume& volume, const Too
     known_of(volume, tool, i);
     ++looked;
     const Candidate& c = candidates_[i];
-    // Neither the point nor its plane holds off what stands higher over the plane than the slack.
-    if (c.kind == Kind::surface) {
-      const double height = glm::dot(c.normal, at) - c.level + tool.thin(c.field) - tool.bur->head.extent(IntoSurface(tool.axis, c.normal).down);
-      if (height > slack_mm + kNormalRounding) return;
-    }
     const Vec3 point = c.point - at;
     ByHead place = by_axis(tool.axis, point);
+    HeadFoot foot;
+    if (c.kind == Kind::surface) {
+      foot = deepest_foot(*tool.bur, tool.axis, c.normal, point, place, beside);
+      // Neither the point nor its plane holds off what stands higher over the plane than the slack.
+      if (foot.over + tool.thin(c.field) > slack_mm + kNormalRounding) return;
+    }
     reckon(*tool.bur, place);
     if (place.distance > far + most) return;
     if (place.distance > far - most && head_distance(*tool.bur, tool.axis, c.point - centre) > far) return;
-    HeadFoot foot;
-    if (c.kind == Kind::surface) foot = head_foot(*tool.bur, tool.axis, c.normal, point, place, beside);
+    if (!foot.deepest) foot = foot_beside(*tool.bur, tool.axis, c.normal, point, place, beside, foot);
     constrain(i, plane_of_head(tool, c, place, foot, at, slack_mm));
   });
   return looked;

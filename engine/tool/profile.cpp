@@ -164,23 +164,21 @@ double Profile::distance(OnHalf at, OnHalf& gradient) const noexcept {
   }
   // On the surface the line of a smooth neighbour may have the same distance, or one larger by rounding.
   if (most <= kOnSkinMm || most == least) return most;
-  // Outside: the nearest piece, corner or pole.
-  double square = least < 1e299 ? least * least : 1e300;
-  bool corner = false;
+  // The solid is convex: where a piece is straight below, no corner is nearer.
+  if (least < 1e299) {
+    gradient = nearest;
+    return least;
+  }
+  double square = 1e300;
   const auto consider = [&](OnHalf point) {
     const OnHalf v = at - point;
     const double of_point = dot(v, v);
     if (!(of_point < square)) return;
     square = of_point;
     nearest = v;
-    corner = true;
   };
   consider(piece(0).from);
   for (int i = 0; i < count_; ++i) consider(piece(i).to);
-  if (!corner) {
-    gradient = nearest;
-    return least;
-  }
   const double away = std::sqrt(square);
   if (away > 0.0) gradient = {nearest.t / away, nearest.rho / away};
   return away;
@@ -198,18 +196,6 @@ bool Profile::rim(OnHalf at, double far, OnHalf& out) const noexcept {
     any = true;
   }
   return any;
-}
-
-double Profile::extent(OnHalf direction) const noexcept {
-  double most = dot(piece(0).from, direction);
-  for (int i = 0; i < count_; ++i) {
-    const OutlinePiece& p = piece(i);
-    const Side& side = sides_[static_cast<std::size_t>(i)];
-    const bool on_arc = p.radius > 0.0 && between(side.first, direction, side.last);
-    const double far = on_arc ? dot(p.centre, direction) + p.radius : dot(p.to, direction);
-    most = far > most ? far : most;
-  }
-  return most;
 }
 
 OnHalf Profile::support(OnHalf direction, OnHalf near) const noexcept {

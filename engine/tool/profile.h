@@ -66,8 +66,6 @@ class Profile {
   /// The point of the solid furthest along `direction` (unit; rho component >= 0). If a whole flat end or straight
   /// flank is furthest, its point nearest to `near`. Pre: closed().
   OnHalf support(OnHalf direction, OnHalf near) const noexcept;
-  /// How far the solid goes along `direction` (unit; rho component >= 0): the support function. Pre: closed().
-  double extent(OnHalf direction) const noexcept;
 
   /// Lines about the outline, which leave it by at most kOffArcMm (a wide arc by more).
   static constexpr double kOffArcMm = 0.02;
