@@ -143,6 +143,7 @@ class SurfaceContact {
     std::int32_t brick = 0;
     IVec3 at{0};  // the brick's place
   };
+  /// A candidate's own, by its number there.
   struct Source {
     std::int32_t list = 0;  // of point_lists_
     std::uint16_t index = 0;

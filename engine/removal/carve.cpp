@@ -57,12 +57,8 @@ class BallSweep {
     }
   };
   Way way_from(IVec3 corner) const noexcept { return {Vec3f(p_ - Vec3(corner)), Vec3f(along_), static_cast<float>(inverse_)}; }
-  /// Solid fractions at distances from the way, voxels, in 1/65535.
-  LaneMask solid_at(Lanes distances) const noexcept {
-    const Lanes depth = static_cast<float>(r_) - distances;
-    const Lanes s = 0.5f - depth * static_cast<float>(1.0 / (2.0 * kBandVoxels));
-    return __builtin_convertvector(most_of(least_of(s, all_lanes(1.0f)), Lanes{}) * 65535.0f + 0.5f, LaneMask);
-  }
+  /// Cut values at distances from the way, voxels.
+  LaneMask solid_at(Lanes distances) const noexcept { return solid_from_distances(distances - static_cast<float>(r_)); }
 
   IVec3 low{0}, high{0};  // voxels within the band, inclusive
 

@@ -3,12 +3,19 @@
 
 #include <array>
 
+#include "engine/base/lanes.h"
 #include "engine/contact/cavity/sweeps.h"
 #include "engine/tool/bur.h"
 #include "engine/volume/changed_voxels.h"
 #include "engine/volume/volume.h"
 
 namespace cusp::engine {
+
+/// solid_from_distance() of four places, in single precision.
+inline LaneMask solid_from_distances(Lanes voxels) noexcept {
+  const Lanes s = 0.5f + voxels * static_cast<float>(1.0 / (2.0 * kBandVoxels));
+  return __builtin_convertvector(most_of(least_of(s, all_lanes(1.0f)), Lanes{}) * 65535.0f + 0.5f, LaneMask);
+}
 
 /// Result of one carving.
 struct Carved {

@@ -202,16 +202,10 @@ class Piece {
     return d;
   }
 
-  /// Solid fractions at distances in voxels, in 1/65535.
-  static LaneMask solid_of(Lanes d) noexcept {
-    const Lanes s = 0.5f + d * static_cast<float>(1.0 / (2.0 * kBandVoxels));
-    return __builtin_convertvector(most_of(least_of(s, all_lanes(1.0f)), Lanes{}) * 65535.0f + 0.5f, LaneMask);
-  }
-
   /// Lowers the row at offset o of the brick to the distance d. `four`: what stands there; `less`: the lanes it lowers. False if the
   /// volume has no room.
   bool lower_row(int o, std::uint64_t four, Lanes d, unsigned meant, unsigned& less) noexcept {
-    const LaneMask solid = solid_of(d);
+    const LaneMask solid = solid_from_distances(d);
     const LaneMask was = from_memory(four);
     less = bits_of(solid < was) & meant;
     if (less == 0) return true;
@@ -235,7 +229,7 @@ class Piece {
 
   /// Rows of an eighth that the piece may lower, a bit each: 4 z + y. `nearest`: the least that its middle can be off the head.
   unsigned rows_to_lower(IVec3 low, Vec3 slope, double nearest) const noexcept {
-    constexpr double kRounding = 4e-4;  // voxels: of single precision and of cut values
+    constexpr double kRounding = 4e-4;  // voxels: a head's carving is exact to this (carve.h)
     const IVec3 first = brick_->corner + low;
     const IVec3 from = glm::max(low_ - first, IVec3(0)), to = glm::min(high_ - first, IVec3(3));
     const unsigned meant = meant_in(first);
@@ -251,7 +245,7 @@ class Piece {
         Lanes d = static_cast<float>(foot + slope.y * y + slope.z * z) + along;
         // Behind a rim places are deeper than the head.
         if (rim_way_.leaves) d = d < 0.0f ? all_lanes(static_cast<float>(-kBandVoxels)) : d;
-        if ((bits_of(solid_of(d) < from_memory(four)) & meant) != 0) rows |= 1u << (4 * z + y);
+        if ((bits_of(solid_from_distances(d) < from_memory(four)) & meant) != 0) rows |= 1u << (4 * z + y);
       }
     return rows;
   }
