@@ -4252,10 +4252,6 @@
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Close without the PIN slips?</source>
-        <translation>Ohne die PIN-Zettel schließen?</translation>
-    </message>
-    <message>
         <source>Close without the comment?</source>
         <translation>Ohne den Kommentar schließen?</translation>
     </message>
@@ -8649,18 +8645,6 @@
         <translation>Angehalten.</translation>
     </message>
     <message>
-        <source>Leave without the PIN slips?</source>
-        <translation>Die Seite ohne die PIN-Zettel verlassen?</translation>
-    </message>
-    <message>
-        <source>The PINs stand nowhere else. Each student would need a new one.</source>
-        <translation>Die PINs stehen nirgends sonst. Alle bräuchten neue.</translation>
-    </message>
-    <message>
-        <source>Leave</source>
-        <translation>Verlassen</translation>
-    </message>
-    <message>
         <source>Choose a list of students</source>
         <translation>Liste von Studierenden wählen</translation>
     </message>
@@ -8737,6 +8721,10 @@
         <translation>Die Liste ist importiert.</translation>
     </message>
     <message>
+        <source>Their PINs stand in %1 alone.</source>
+        <translation>Ihre PINs stehen allein in %1.</translation>
+    </message>
+    <message>
         <source>Stopped at line %1.</source>
         <translation>Angehalten in Zeile %1.</translation>
     </message>
@@ -8748,24 +8736,24 @@
         </translation>
     </message>
     <message>
-        <source>Save the PIN slips now: the PINs stand nowhere else.</source>
-        <translation>Speichern Sie jetzt die PIN-Zettel: Die PINs stehen nirgends sonst.</translation>
-    </message>
-    <message>
-        <source>PIN slips.pdf</source>
-        <translation>PIN-Zettel.pdf</translation>
-    </message>
-    <message>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>Choose another place. The accounts are kept.</source>
-        <translation>Wählen Sie einen anderen Ort. Die Konten bleiben.</translation>
+        <source>Choose another place. No account was made.</source>
+        <translation>Wählen Sie einen anderen Ort. Kein Konto wurde angelegt.</translation>
     </message>
     <message>
-        <source>The PIN slips are saved.</source>
-        <translation>Die PIN-Zettel sind gespeichert.</translation>
+        <source>A file of this name is there already.</source>
+        <translation>Eine Datei dieses Namens gibt es schon.</translation>
+    </message>
+    <message>
+        <source>%1 stayed as it was. Choose another name.</source>
+        <translation>%1 blieb, wie sie war. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>PIN slips %1.pdf</source>
+        <translation>PIN-Zettel %1.pdf</translation>
     </message>
     <message>
         <source>No list yet</source>

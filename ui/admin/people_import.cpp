@@ -11,9 +11,11 @@
 #include <set>
 
 #include "ui/admin/on_window.h"
+#include "ui/admin/pin_slips.h"
 #include "ui/text/failure_text.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/empty_state.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/theme.h"
@@ -23,6 +25,13 @@ namespace {
 
 using State = ListedStudent::State;
 constexpr qint64 kMostBytes = 4 << 20;  // a list of 2,000 students has about 100 kB
+
+std::vector<PinSlip> slips_of(const std::vector<ListedStudent>& lines) {
+  std::vector<PinSlip> out;
+  for (const ListedStudent& line : lines)
+    if (line.state == State::fresh) out.push_back({line.name, line.number, line.pin, line.cohort});
+  return out;
+}
 
 }  // namespace
 
@@ -39,8 +48,7 @@ PeopleImport::PeopleImport(Store& store, const Actor& actor, const Ports& ports,
   auto* head = new PageHead(tr("Import a list of students"), tr("CSV with the columns number and name, and if wanted PIN and cohort"));
   choose_ = make_button(tr("Choose a file"), ButtonKind::standard, u"import"_qs);
   start_ = make_button(tr("Make the accounts"), ButtonKind::primary);
-  save_ = make_button(tr("Save the PIN slips"), ButtonKind::standard, u"print"_qs);
-  for (QPushButton* button : {choose_, start_, save_}) head->buttons()->addWidget(button);
+  for (QPushButton* button : {choose_, start_}) head->buttons()->addWidget(button);
   outer->addWidget(head);
   band_ = new Band;
   outer->addWidget(band_);
@@ -59,7 +67,6 @@ PeopleImport::PeopleImport(Store& store, const Actor& actor, const Ports& ports,
   connect(back, &QPushButton::clicked, this, &PeopleImport::leave);
   connect(choose_, &QPushButton::clicked, this, &PeopleImport::choose_file);
   connect(start_, &QPushButton::clicked, this, &PeopleImport::start);
-  connect(save_, &QPushButton::clicked, this, &PeopleImport::save_slips);
   fit_buttons();
   setFocusProxy(choose_);
 }
@@ -76,7 +83,6 @@ void PeopleImport::show_failure(const StorageFailure& failure) {
 void PeopleImport::fit_buttons() {
   choose_->setEnabled(!working());
   start_->setEnabled(!working() && !to_do().empty());
-  save_->setEnabled(!working() && !slips_.empty());
   shown_->setCurrentIndex(model_->rowCount() == 0 ? 0 : 1);
 }
 
@@ -99,11 +105,7 @@ std::vector<ListedStudent> PeopleImport::to_do() const {
 
 void PeopleImport::leave() {
   if (working()) return stop();
-  if (!unsaved()) return Q_EMIT back_wanted();
-  ports_.ask(this, {tr("Leave without the PIN slips?"), tr("The PINs stand nowhere else. Each student would need a new one."), tr("Leave"), true},
-             [this](bool yes) {
-               if (yes) Q_EMIT back_wanted();
-             });
+  Q_EMIT back_wanted();
 }
 
 void PeopleImport::choose_file() {
@@ -152,8 +154,26 @@ void PeopleImport::read_file(const QString& path) {
 
 void PeopleImport::start() {
   if (working()) return;
-  PeopleImportWork work{records_of(store_), actor_, to_do()};
+  if (model_->count(State::fresh) == 0) return make({});
+  FileWish wish{tr("Save the PIN slips"), tr("PIN slips %1.pdf").arg(ports_.now().toString(u"yyyy-MM-dd HH-mm"_qs)), tr("PDF (*.pdf)")};
+  wish.what = FileWish::What::new_file;  // slips of another list may stand there
+  ports_.pick_file(this, wish, [this](const QString& path) { make(path); });
+}
+
+void PeopleImport::make(const QString& slips) {
+  if (working()) return;
+  PeopleImportWork work{records_of(store_), actor_, to_do(), slips.toStdString()};
+  give_pins(work.lines);
   band_->clear();
+  if (!slips.isEmpty()) {
+    if (QFile::exists(slips)) {
+      return band_->show_message(Band::Kind::bad, tr("A file of this name is there already."), tr("%1 stayed as it was. Choose another name.").arg(isolate(slips)));
+    }
+    if (const auto written = write_pin_slips(work.slips, slips_of(work.lines)); !written) {
+      const QString cause = QString::fromStdString(written.error().detail);
+      return band_->show_message(Band::Kind::bad, tr("%1 cannot be written: %2.").arg(isolate(slips), cause), tr("Choose another place. No account was made."));
+    }
+  }
   progress_ = run_->start(tr("Making accounts"),
                           [](std::size_t done, std::size_t all) { return tr("%1 of %2").arg(count_text(done), count_text(all)); });
   fit_buttons();
@@ -165,9 +185,6 @@ void PeopleImport::stop() { run_->cancel(); }
 void PeopleImport::end(const PeopleImportEnd& end) {
   progress_.reset();
   if (!end.failure) {
-    if (slips_saved_) slips_.clear();
-    slips_saved_ = false;
-    slips_.insert(slips_.end(), end.slips.begin(), end.slips.end());
     // A second start has nothing left to do. A line that was left out may repeat the number of another.
     std::vector<ListedStudent> lines = model_->students();
     for (ListedStudent& line : lines) {
@@ -177,31 +194,21 @@ void PeopleImport::end(const PeopleImportEnd& end) {
     model_->set_students(std::move(lines));
   }
   fit_buttons();
-  run_->finish(save_);
+  run_->finish(choose_);
   show_end(end);
 }
 
 void PeopleImport::show_end(const PeopleImportEnd& end) {
-  const QString save = slips_.empty() || slips_saved_ ? QString() : u' ' + tr("Save the PIN slips now: the PINs stand nowhere else.");
   if (!end.failure) {
-    return band_->show_message(Band::Kind::good, tr("The list is imported."), tr("%n account(s) made.", nullptr, static_cast<int>(end.slips.size())) + save);
+    const QString made = tr("%n account(s) made.", nullptr, end.made);
+    const QString file = QString::fromStdString(end.slips.string());
+    return band_->show_message(Band::Kind::good, tr("The list is imported."), file.isEmpty() ? made : made + u' ' + tr("Their PINs stand in %1 alone.").arg(isolate(file)));
   }
   const bool stopped = end.failure->code == StorageError::stopped;
   const QString what = stopped         ? tr("Stopped.")
                        : end.line == 0 ? describe(*end.failure).line()
                                        : tr("Stopped at line %1.").arg(end.line) + u' ' + describe(*end.failure).line();
-  band_->show_message(stopped ? Band::Kind::look : Band::Kind::bad, what, tr("No account was made.") + save);
-}
-
-void PeopleImport::save_slips() {
-  ports_.pick_file(this, {tr("Save the PIN slips"), tr("PIN slips.pdf"), tr("PDF (*.pdf)"), true}, [this](const QString& path) {
-    if (const auto written = write_pin_slips(path.toStdString(), slips_); !written) {
-      band_->show_message(Band::Kind::bad, tr("%1 cannot be written: %2.").arg(path, QString::fromStdString(written.error().detail)), tr("Choose another place. The accounts are kept."));
-      return;
-    }
-    slips_saved_ = true;
-    band_->show_message(Band::Kind::good, tr("The PIN slips are saved."), path);
-  });
+  band_->show_message(stopped ? Band::Kind::look : Band::Kind::bad, what, tr("No account was made."));
 }
 
 }  // namespace cusp::ui

@@ -1,5 +1,5 @@
-/// Students from a spreadsheet's list: preview line by line, accounts with PINs, cohorts, PIN slips. Thread: GUI.
-/// people_import_work.h makes them on a thread of its own.
+/// Students from a spreadsheet's list: preview line by line, PIN slips, accounts with PINs, cohorts. Thread: GUI.
+/// people_import_work.h makes the accounts on a thread of its own, once the slips are written: no PIN is lost with the program.
 #pragma once
 
 #include <QWidget>
@@ -11,6 +11,7 @@
 #include "ui/admin/student_list_model.h"
 #include "ui/admin/work_run.h"
 #include "ui/modules.h"
+#include "ui/widgets/at_work.h"
 #include "ui/widgets/ports.h"
 
 class QPushButton;
@@ -20,7 +21,7 @@ namespace cusp::ui {
 
 class Band;
 
-class PeopleImport : public QWidget {
+class PeopleImport : public QWidget, public AtWork {
   Q_OBJECT
 
  public:
@@ -28,18 +29,15 @@ class PeopleImport : public QWidget {
   /// Stops the work before its next line: it then makes nothing.
   ~PeopleImport() override;
   const StudentListModel& model() const { return *model_; }
-  const std::vector<PinSlip>& slips() const { return slips_; }
   QString message() const;
-  bool working() const { return progress_ != nullptr; }
-  /// Accounts are being made, or their PINs stand nowhere else yet.
-  bool unsaved() const { return working() || !(slips_.empty() || slips_saved_); }
+  bool working() const override { return progress_ != nullptr; }
 
  public Q_SLOTS:
   void choose_file();
+  /// Asks where the PIN slips go, if a line brings an account.
   void start();
   /// Before the next line, so that nothing is made; the page says so.
   void stop();
-  void save_slips();
 
  Q_SIGNALS:
   void back_wanted();
@@ -47,6 +45,8 @@ class PeopleImport : public QWidget {
  private:
   void leave();
   void read_file(const QString& path);
+  /// `slips`: the new file of the PIN slips; empty: there are none.
+  void make(const QString& slips);
   void end(const PeopleImportEnd& end);
   void show_end(const PeopleImportEnd& end);
   void fit_buttons();
@@ -61,11 +61,9 @@ class PeopleImport : public QWidget {
   QStackedWidget* shown_ = nullptr;  // why there are none, and the table
   Band* band_ = nullptr;
   WorkRun* run_ = nullptr;
-  QPushButton *choose_ = nullptr, *start_ = nullptr, *save_ = nullptr;
+  QPushButton *choose_ = nullptr, *start_ = nullptr;
   BackgroundTask task_;
   std::shared_ptr<WorkProgress> progress_;  // of the work that runs
-  std::vector<PinSlip> slips_;  // of every start since they were saved; PINs stand nowhere else
-  bool slips_saved_ = false;
 };
 
 }  // namespace cusp::ui

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/admin/people_import.h"
 #include "ui/app/desktop.h"
 #include "ui/app/run_marker.h"
 #include "ui/app/shell.h"
@@ -23,11 +22,6 @@
 
 namespace cusp::ui {
 namespace {
-
-bool has_unsaved_slips(const QWidget& desktop) {
-  const auto imports = desktop.findChildren<PeopleImport*>();
-  return std::ranges::any_of(imports, [](const PeopleImport* page) { return page->unsaved(); });
-}
 
 /// False if a draft cannot be written; its page shows why.
 bool keep_drafts(const QWidget& desktop) {
@@ -90,8 +84,7 @@ void Desktop::look_at_account() {
 }
 
 void Desktop::lock(const QString& why) {
-  // PINs that are not saved and a draft that cannot be stand nowhere else.
-  const bool unsaved = has_unsaved_slips(*stack_) || !keep_drafts(*stack_);
+  const bool unsaved = !keep_drafts(*stack_);
   if (!unsaved) {
     for (const MarkingCard* card : stack_->findChildren<MarkingCard*>())
       if (card->has_comment()) unsaved_comments_[{account_->id, card->session()}] = {QString::fromStdString(account_->name), card->written()};
@@ -141,7 +134,7 @@ void Desktop::take_from_behind_lock() {
 void Desktop::save_behind_lock() {
   std::erase_if(behind_lock_, [](const auto& one) {
     QWidget* hidden = one.second.pages;
-    if (has_unsaved_slips(*hidden) || !keep_drafts(*hidden)) return false;
+    if (!keep_drafts(*hidden)) return false;
     delete hidden;
     return true;
   });
@@ -170,10 +163,7 @@ bool Desktop::asks_before_closing() {
   save_behind_lock();
   const bool form = has_half_filled_form(*this);
   Question question{{}, {}, tr("Close"), true};
-  if (has_unsaved_slips(*this)) {
-    question.what = tr("Close without the PIN slips?");
-    question.more = PeopleImport::tr("The PINs stand nowhere else. Each student would need a new one.");
-  } else if (const bool comment = has_comment(*this) || !unsaved_comments_.empty(); comment || has_typed_points(*this)) {
+  if (const bool comment = has_comment(*this) || !unsaved_comments_.empty(); comment || has_typed_points(*this)) {
     question.what = comment ? tr("Close without the comment?") : tr("Close without the changed points?");
     question.more = (ReportPage::tr("What is written under Marking is not kept yet.") + u' ' + waiting_comments_text()).trimmed();
   } else if (!keep_drafts(*this)) {

@@ -135,7 +135,7 @@ TEST_F(FocusOfWork, StaysWhereSomebodyPutIt) {
   EXPECT_EQ(after_work([&] { third->setFocus(); }), third);
 }
 
-TEST(FocusOfPeopleImport, GoesToTheSlipsThatAreToBeSaved) {
+TEST(FocusOfPeopleImport, GoesToTheNextListWhereNothingIsLeftToMake) {
   DeskRecords records;
   const QTemporaryDir folder;
   QFile list(folder.filePath(QStringLiteral("list.csv")));
@@ -143,21 +143,23 @@ TEST(FocusOfPeopleImport, GoesToTheSlipsThatAreToBeSaved) {
   list.write("number,name\n2,New Two\n");
   list.close();
   Ports ports = Ports::of_the_system();
-  ports.pick_file = [&list](QWidget*, const FileWish&, const std::function<void(const QString&)>& then) { then(list.fileName()); };
+  ports.pick_file = [&](QWidget*, const FileWish& wish, const std::function<void(const QString&)>& then) {
+    then(wish.saving ? folder.filePath(QStringLiteral("slips.pdf")) : list.fileName());
+  };
   PeopleImport page(records.store(), records.administrator().actor(), ports);
   page.choose_file();
   page.show();
-  QPushButton *make = nullptr, *save = nullptr;
+  QPushButton *make = nullptr, *choose = nullptr;
   for (QPushButton* one : page.findChildren<QPushButton*>()) {
     if (one->accessibleName() == QStringLiteral("Make the accounts")) make = one;
-    if (one->accessibleName() == QStringLiteral("Save the PIN slips")) save = one;
+    if (one->accessibleName() == QStringLiteral("Choose a file")) choose = one;
   }
   ASSERT_NE(make, nullptr);
   make->setFocus();
   make->click();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !page.working(); }, kShownWithinMs));
   EXPECT_FALSE(make->isEnabled());
-  EXPECT_EQ(page.focusWidget(), save);
+  EXPECT_EQ(page.focusWidget(), choose);
 }
 
 TEST_F(WorkRunTest, WithoutProgressNobodyIsAsked) { EXPECT_FALSE(static_cast<bool>(watch_of({}))); }

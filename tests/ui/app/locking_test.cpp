@@ -28,6 +28,7 @@
 #include "ui/instructor/import_page.h"
 #include "ui/report/marking_card.h"
 #include "ui/report/report_page.h"
+#include "ui/session/background_task.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
@@ -38,7 +39,9 @@ constexpr int kPatientMs = 60'000;  // waits for progress, never decides
 
 struct Locking : AskingDesktop {
   Locking() {
-    ports.pick_file = [this](QWidget*, const FileWish&, const std::function<void(const QString&)>& then) { then(folder.filePath(QStringLiteral("list.csv"))); };
+    ports.pick_file = [this](QWidget*, const FileWish& wish, const std::function<void(const QString&)>& then) {
+      then(folder.filePath(wish.saving ? QStringLiteral("slips.pdf") : QStringLiteral("list.csv")));
+    };
   }
   /// Signs an instructor in and opens the editor with a draft that is not saved yet.
   Account edit_a_draft() {
@@ -51,6 +54,7 @@ struct Locking : AskingDesktop {
     desktop->edit(start);
     return berg;
   }
+  /// The page whose accounts are being made. nullptr: there is none.
   PeopleImport* make_accounts() {
     QFile list(folder.filePath(QStringLiteral("list.csv")));
     EXPECT_TRUE(list.open(QIODevice::WriteOnly));
@@ -61,7 +65,6 @@ struct Locking : AskingDesktop {
     if (page == nullptr) return nullptr;
     page->choose_file();
     page->start();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !page->working(); }, kPatientMs));
     return page;
   }
   MarkingCard* open_report(const SessionId& session) {
@@ -130,25 +133,31 @@ TEST_F(Locking, counts_its_time_from_the_end_of_an_attempt_for_a_device_moves_wi
   EXPECT_TRUE(QTest::qWaitFor([this] { return !desktop->account(); }, kPatientMs));
 }
 
-TEST_F(Locking, gives_pin_slips_that_are_not_saved_back_to_whoever_made_them) {
-  const Account anna = records.administrator();
-  sign_in(anna);
-  PeopleImport* page = make_accounts();
-  ASSERT_NE(page, nullptr);
-  ASSERT_EQ(page->slips().size(), 2u);
+TEST_F(Locking, leaves_the_pin_slips_of_accounts_that_were_being_made_or_neither) {
+  sign_in(records.administrator());
+  const QPointer<PeopleImport> page = make_accounts();
+  ASSERT_TRUE(page);
   desktop->lock_idle();
   ASSERT_FALSE(desktop->account());
-  EXPECT_FALSE(page->isVisible());
-  desktop->sign_in(anna);
-  EXPECT_EQ(desktop->page(), page) << "the PINs stand nowhere else";
-  EXPECT_EQ(page->slips().size(), 2u);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  EXPECT_FALSE(page);
+  wait_for_dropped_tasks();
+  const bool made = records.store().accounts.find_number("11").has_value();
+  EXPECT_EQ(QFile::exists(folder.filePath(QStringLiteral("slips.pdf"))), made);
+}
+
+TEST_F(Locking, asks_before_it_closes_while_accounts_are_being_made) {
+  sign_in(records.administrator());
+  const PeopleImport* page = make_accounts();
+  ASSERT_NE(page, nullptr);
+  ASSERT_TRUE(page->working());
   desktop->close();
-  ASSERT_EQ(asked.size(), 1);
-  EXPECT_TRUE(desktop->isVisible());
+  ASSERT_EQ(asked, QStringList{QStringLiteral("Close before the work has ended?")});
   answer(false);
   EXPECT_TRUE(desktop->isVisible());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page->working(); }, kPatientMs));
   desktop->close();
-  answer(true);
+  EXPECT_EQ(asked.size(), 1) << "the slips are written";
   EXPECT_FALSE(desktop->isVisible());
 }
 
@@ -374,14 +383,14 @@ TEST_F(Locking, asks_before_it_closes_over_a_half_filled_form) {
   EXPECT_FALSE(desktop->isVisible());
 }
 
-TEST_F(Locking, asks_one_question_before_it_closes_over_pin_slips_and_a_form) {
+TEST_F(Locking, asks_one_question_before_it_closes_over_an_import_and_a_form) {
   sign_in(records.administrator());
   desktop->shell()->show_page(QStringLiteral("people"));
   ASSERT_NE(name_field(), nullptr);
   name_field()->setText(QStringLiteral("Mia Falk"));
-  ASSERT_NE(make_accounts(), nullptr);
+  ASSERT_NE(begin_import(), nullptr);
   desktop->close();
-  ASSERT_EQ(asked, QStringList{QStringLiteral("Close without the PIN slips?")});
+  ASSERT_EQ(asked, QStringList{QStringLiteral("Close without the import?")});
   EXPECT_TRUE(more.contains(QStringLiteral("What was filled in and not saved"))) << more.toStdString();
   answer(true);
   EXPECT_EQ(asked.size(), 1);
