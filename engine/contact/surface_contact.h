@@ -220,6 +220,8 @@ class SurfaceContact {
     double slim = 0.0, thick = 0.0;
     /// In voxels, from a pivot that is still to be given, and a little wider.
     TwoCylinders cylinders(Vec3 axis, double voxel_mm) const noexcept;
+    /// Narrows low..high along x and y to the bricks of layer z about the pieces that are level with it.
+    void layer(const Grid& grid, Vec3 axis, Vec3 centre, int z, IVec3& low, IVec3& high) const noexcept;
   };
   static Reach shank_within(const Tool& tool, double margin_mm) noexcept;
   static Reach head_within(const Tool& tool, double margin_mm) noexcept;

@@ -14,6 +14,7 @@ constexpr double kLeastMargin = 0.06;  // mm
 constexpr double kGoneMm = 1e9;        // where no bur reaches
 /// Voxels from an inner edge to where its rounding ends: a cell's field reads one sample beyond it.
 constexpr double kRimReach = 1.0;
+constexpr double kUpright = 0.1;  // cosine of the most inclined axis that is followed layer by layer
 
 }  // namespace
 
@@ -161,6 +162,21 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
                   for_near(x, y, z, count, local, static_cast<float>(wide * wide), pass);
                 });
   });
+}
+
+void SurfaceContact::Reach::layer(const Grid& grid, Vec3 axis, Vec3 centre, int z, IVec3& low, IVec3& high) const noexcept {
+  const double slack = kBeyondBrick * grid.voxel_mm, widest = std::max(slim, thick), up = axis.z;
+  double t0 = from, t1 = to;
+  if (std::fabs(up) > kUpright) {
+    const double rise = widest * std::sqrt(std::max(0.0, 1.0 - up * up)) + slack;  // of a circle about the axis over its middle
+    const double below = brick_corner(grid, {0, 0, z}).z - centre.z - rise, above = below + kBrickEdge * grid.voxel_mm + 2.0 * rise;
+    t0 = std::max(t0, std::min(below / up, above / up));
+    t1 = std::max(t0, std::min(t1, std::max(below / up, above / up)));
+  }
+  const Vec3 a = centre + axis * t0, b = centre + axis * t1;
+  const double beside = (t1 > wide_from ? widest : slim) + slack;
+  low = glm::max(brick_floor(grid, glm::min(a, b) - beside), low);
+  high = glm::min(brick_floor(grid, glm::max(a, b) + beside), high);
 }
 
 /// Of the neck and the shank. Up to `inner` along the axis the neck lies within a ball, which answers for it.

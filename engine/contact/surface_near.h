@@ -13,6 +13,8 @@ namespace cusp::engine {
 
 /// Voxels that single precision may be off by in `for_near`, and then some.
 inline constexpr double kFloatSlack = 1e-3;
+/// Voxels: a cell's point may stand a tenth outside its cell, and the brick's last cells end a voxel beyond it.
+inline constexpr double kBeyondBrick = 0.2;
 
 /// Squared distance of a point to a box.
 inline double box_distance2(Vec3 p, Vec3 low, Vec3 high) noexcept {
@@ -69,8 +71,8 @@ inline bool SurfaceContact::points_box(const Volume& volume, int brick, IVec3 at
   const bool cut = volume.has_cut(brick);
   if (!cut && box.empty()) return false;
   const Vec3 corner = brick_corner(volume.grid(), at);
-  low = corner + voxel_mm_ * (cut ? Vec3(-0.2) : box.low());
-  high = corner + voxel_mm_ * (cut ? Vec3(8.2) : box.high());
+  low = corner + voxel_mm_ * (cut ? Vec3(-kBeyondBrick) : box.low());
+  high = corner + voxel_mm_ * (cut ? Vec3(kBrickEdge + kBeyondBrick) : box.high());
   return true;
 }
 
@@ -80,8 +82,7 @@ template <class Visit>
 void SurfaceContact::ball_bricks(const Volume& volume, Vec3 centre, double reach, Visit&& visit) const noexcept {
   const Specimen& specimen = volume.specimen();
   const Grid& grid = volume.grid();
-  // A cell's point may stand a tenth of a voxel outside its cell, and the brick's last cells end a voxel beyond it.
-  const double slack = 0.2 * grid.voxel_mm;
+  const double slack = kBeyondBrick * voxel_mm_;
   const double wide = reach + slack;
   const IVec3 low = glm::max(brick_floor(grid, centre - wide), bricks_low_);
   const IVec3 high = glm::min(brick_floor(grid, centre + wide), bricks_high_);
@@ -119,21 +120,13 @@ void SurfaceContact::bricks_within(const Volume& volume, Vec3 axis, Vec3 centre,
   const Specimen& specimen = volume.specimen();
   const Grid& grid = volume.grid();
   TwoCylinders shape = reach.cylinders(axis, voxel_mm_);
-  const double thick = std::max(reach.thick, reach.slim);
-  const double slack = 0.2 * grid.voxel_mm;
-  const auto box = [&](double low_t, double high_t, double radius, IVec3& low, IVec3& high) {
-    const Vec3 a = centre + axis * low_t, b = centre + axis * high_t;
-    low = glm::max(brick_floor(grid, glm::min(a, b) - (radius + slack)), bricks_low_);
-    high = glm::min(brick_floor(grid, glm::max(a, b) + (radius + slack)), bricks_high_);
-  };
-  // The slim one's box and the thick one's, as one walk in index order.
-  IVec3 slim_low, slim_high, thick_low, thick_high;
-  box(reach.from, std::max(reach.from, reach.wide_from), reach.slim, slim_low, slim_high);
-  box(reach.wide_from, reach.to, thick, thick_low, thick_high);
-  const bool both = thick_low.x <= thick_high.x && thick_low.y <= thick_high.y && thick_low.z <= thick_high.z;
-  const IVec3 low = both ? glm::min(slim_low, thick_low) : slim_low;
-  const IVec3 high = both ? glm::max(slim_high, thick_high) : slim_high;
-  for (int z = low.z; z <= high.z; ++z)
+  const double thick = std::max(reach.thick, reach.slim), slack = kBeyondBrick * voxel_mm_;
+  const Vec3 first = centre + axis * reach.from, last = centre + axis * reach.to;
+  const int low_z = std::max(brick_floor(grid, glm::min(first, last) - (thick + slack)).z, bricks_low_.z);
+  const int high_z = std::min(brick_floor(grid, glm::max(first, last) + (thick + slack)).z, bricks_high_.z);
+  for (int z = low_z; z <= high_z; ++z) {
+    IVec3 low = bricks_low_, high = bricks_high_;
+    reach.layer(grid, axis, centre, z, low, high);
     for (int y = low.y; y <= high.y; ++y) {
       const int row = specimen.brick_index({0, y, z});
       for (int x = low.x; x <= high.x; ++x) {
@@ -150,6 +143,7 @@ void SurfaceContact::bricks_within(const Volume& volume, Vec3 axis, Vec3 centre,
         visit(row + x, IVec3(x, y, z), shape);
       }
     }
+  }
 }
 
 }  // namespace cusp::engine
