@@ -39,8 +39,8 @@ RUNS = {
     "accuracy": ["accuracy", "--method", "surface", "--bur-radius-mm", "0.5", "--samples", "600"],
     "removal": ["removal", "--method", "surface", "--measure", "slide", "--measure", "ridge", "--measure", "hole"],
 }
-TESTS = ("contact_tests", "step_tests", "tool_tests", "operators_test", "bench_outer_edges_test", "bench_heads_test", "bench_rate_test",
-         "bench_stability_test", "bench_removal_test")
+TESTS = ("contact_tests", "step_tests", "tool_tests", "operators_test", "bench_accuracy_test", "bench_outer_edges_test", "bench_heads_test",
+         "bench_rate_test", "bench_stability_test", "bench_removal_test")
 CLEAN = ("face", "sphere", "pit", "cylinder", "edge", "corner", "groove", "step", "wall")
 
 

@@ -26,6 +26,7 @@ CONSTRAINTS = "engine/contact/surface_constraints.cpp"
 POLISH = "engine/contact/surface_polish.cpp"
 IN_SWEEP = "engine/contact/surface_in_sweep.cpp"
 RESOLVE = "engine/contact/surface_resolve.cpp"
+CUT_CELLS = "engine/contact/features/cut_cells.cpp"
 CAVITY = "engine/contact/surface_cavity.cpp"
 WALLS = "engine/contact/cavity/cavity_walls.cpp"
 DESCENT = "engine/contact/cavity/cavity_descent.cpp"
@@ -59,6 +60,8 @@ MECHANISMS = [
                "false && state.prediction_holds ? motion.way + state.predicted_excess * moved : motion.way;")),
     mechanism("search", "prediction: not where an edge stands deep in a head",
               (FOLLOW, "!tool.ball() && deep_in_edge(s.at)", "false && deep_in_edge(s.at)")),
+    mechanism("search", "prediction: after a cut, where the proxy will go",
+              (STEP, "                                             cut.end() - cut.pose, cut", "                                             0.0 * (cut.end() - cut.pose), cut")),
     mechanism("search", "leap of a ball that rolls over an edge",
               (FOLLOW, "tool.ball() ? leap_of_ball(found, s.at, y - s.at, rolls)", "tool.ball() ? Vec3(0.0)")),
     mechanism("search", "leap of a head that rolls over an edge",
@@ -100,6 +103,8 @@ MECHANISMS = [
               (PLANES, "    const bool beyond = c.others > 0 && (past(Vec3", "    const bool beyond = false && (past(Vec3")),
     mechanism("constraints", "planes of a head end where other surfaces begin",
               (PLANES, "      if (!beyond) {\n        if (height > slack_mm) return out;", "      if (true || !beyond) {\n        if (height > slack_mm) return out;")),
+    mechanism("constraints", "points that lie on an edge are left out",
+              (PLANES, "  return all_resolved_ && c.others > 0 && (c.feature", "  return false && all_resolved_ && c.others > 0 && (c.feature")),
     mechanism("constraints", "the bulge of a scratch while it cuts",
               (PLANES, "const double bulge = !all_resolved_ &&", "const double bulge = false &&")),
     mechanism("constraints", "past poses of a head relax its planes (CutMemory)",
@@ -115,6 +120,8 @@ MECHANISMS = [
                "    const Vec3f none(0.0f);\n    const Vec3f &ba = none, &bb = none, &wa = none, &wb = none;")),
     mechanism("features", "edges between cuts, resolved some a tick",
               (RESOLVE, "  const bool on = when != Resolve::off;", "  const bool on = false && when != Resolve::off;")),
+    mechanism("features", "a mouth's edge ends with its cell",
+              (CUT_CELLS, "  double from = out.other_d_mm, to = out.third_d_mm;", "  double from = out.other_d_mm, to = out.third_d_mm;\n  if (to > 0.0) return;")),
     mechanism("features", "voxels inside at an inner edge hold off a head",
               (GATHER, "(of_head ? page->feature[i].inner_edge : page->feature[i].inside)", "(of_head && false ? page->feature[i].inner_edge : page->feature[i].inside)")),
     mechanism("features", "no foot where a rim reaches into an inner edge",
