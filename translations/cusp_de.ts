@@ -8744,14 +8744,6 @@
         <translation>Wählen Sie einen anderen Ort. Kein Konto wurde angelegt.</translation>
     </message>
     <message>
-        <source>A file of this name is there already.</source>
-        <translation>Eine Datei dieses Namens gibt es schon.</translation>
-    </message>
-    <message>
-        <source>%1 stayed as it was. Choose another name.</source>
-        <translation>%1 blieb, wie sie war. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
         <source>PIN slips %1.pdf</source>
         <translation>PIN-Zettel %1.pdf</translation>
     </message>

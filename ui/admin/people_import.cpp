@@ -12,6 +12,7 @@
 
 #include "ui/admin/on_window.h"
 #include "ui/admin/pin_slips.h"
+#include "ui/text/exchange_text.h"
 #include "ui/text/failure_text.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/empty_state.h"
@@ -167,7 +168,8 @@ void PeopleImport::make(const QString& slips) {
   band_->clear();
   if (!slips.isEmpty()) {
     if (QFile::exists(slips)) {
-      return band_->show_message(Band::Kind::bad, tr("A file of this name is there already."), tr("%1 stayed as it was. Choose another name.").arg(isolate(slips)));
+      const Message taken = describe_exchange_failure({StorageError::duplicate, slips.toStdString(), {}}, slips);
+      return band_->show_message(Band::Kind::bad, taken.what, taken.more);
     }
     if (const auto written = write_pin_slips(work.slips, slips_of(work.lines)); !written) {
       const QString cause = QString::fromStdString(written.error().detail);

@@ -194,7 +194,8 @@ TEST_F(Import, writes_no_slips_over_those_of_another_list) {
   write("number,name\n3,Three\n");
   page.choose_file();
   make_accounts(page);
-  EXPECT_TRUE(page.message().contains(QStringLiteral("there already"))) << page.message().toStdString();
+  EXPECT_TRUE(page.message().contains(QStringLiteral("A file of this name is there already."))) << page.message().toStdString();
+  EXPECT_TRUE(page.message().contains(slips)) << page.message().toStdString();
   EXPECT_TRUE(written_slips() == before);
   EXPECT_EQ(students(), 1u);
   slips = folder.filePath(QStringLiteral("other slips.pdf"));
