@@ -14,7 +14,6 @@ constexpr double kLeastMargin = 0.06;  // mm
 constexpr double kGoneMm = 1e9;        // where no bur reaches
 /// Voxels from an inner edge to where its rounding ends: a cell's field reads one sample beyond it.
 constexpr double kRimReach = 1.0;
-constexpr double kUpright = 0.1;  // cosine of the most inclined axis that is followed layer by layer
 
 }  // namespace
 
@@ -167,11 +166,11 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
 void SurfaceContact::Reach::layer(const Grid& grid, Vec3 axis, Vec3 centre, int z, IVec3& low, IVec3& high) const noexcept {
   const double slack = kBeyondBrick * grid.voxel_mm, widest = std::max(slim, thick), up = axis.z;
   double t0 = from, t1 = to;
-  if (std::fabs(up) > kUpright) {
+  if (up != 0.0) {
     const double rise = widest * std::sqrt(std::max(0.0, 1.0 - up * up)) + slack;  // of a circle about the axis over its middle
-    const double below = brick_corner(grid, {0, 0, z}).z - centre.z - rise, above = below + kBrickEdge * grid.voxel_mm + 2.0 * rise;
-    t0 = std::max(t0, std::min(below / up, above / up));
-    t1 = std::max(t0, std::min(t1, std::max(below / up, above / up)));
+    const double low_end = (brick_corner(grid, {0, 0, z}).z - rise - centre.z) / up, high_end = (brick_corner(grid, {0, 0, z + 1}).z + rise - centre.z) / up;
+    t0 = std::clamp(std::min(low_end, high_end), from, to);
+    t1 = std::clamp(std::max(low_end, high_end), from, to);
   }
   const Vec3 a = centre + axis * t0, b = centre + axis * t1;
   const double beside = (t1 > wide_from ? widest : slim) + slack;
